@@ -18,7 +18,7 @@
 namespace graze {
 namespace detail {
 
-/// Why the points have no bounding volume, told in the name of the function that was asked for one.
+/// The error for points without a bounding volume, naming the called function.
 template <Dim N, class T>
 [[noreturn]] void refuse_points(std::span<const Vec<N, T>> points, const std::string& function) {
   if (points.empty()) GRAZE_THROW(std::invalid_argument(function + ": there are no points"));
@@ -27,14 +27,14 @@ template <Dim N, class T>
                                     " has a coordinate that is not finite"));
 }
 
-/// The box of points, which is where they are checked: at least one, and all of them finite.
+/// The box of points. It validates them: at least one, all finite.
 template <Dim N, class T>
 Aabb<N, T> checked_box(std::span<const Vec<N, T>> points, const char* function) {
   Aabb<N, T> box = Aabb<N, T>::nothing();
   bool finite = !points.empty();
   for (const Vec<N, T>& point : points) {
     for (Dim i = 0; i < N; ++i) {
-      // Conditional moves: the points are read once, as fast as memory gives them.
+      // Conditional moves: the loop runs at memory speed.
       box.min[i] = point[i] < box.min[i] ? point[i] : box.min[i];
       box.max[i] = point[i] > box.max[i] ? point[i] : box.max[i];
       finite &= std::fabs(point[i]) <= std::numeric_limits<T>::max();
@@ -44,8 +44,8 @@ Aabb<N, T> checked_box(std::span<const Vec<N, T>> points, const char* function) 
   return box;
 }
 
-/// Coordinates in which a set of points is about as large as 1 and near the origin: neither squares nor products of
-/// three differences leave the range of double, and a set far from the origin loses nothing.
+/// Local coordinates in which a set of points has about unit size and is near the origin: squares and products of three
+/// differences stay in the range of double, and a set far from the origin loses no precision.
 template <Dim N>
 struct LocalFrame {
   Vec<N, double> origin;
@@ -58,14 +58,14 @@ struct LocalFrame {
   Vec<N, double> world(const Vec<N, double>& point) const { return origin + point / scale; }
 };
 
-/// The largest side of a box, infinite where the largest double is less.
+/// The largest side of a box; infinite if it exceeds the largest double.
 template <Dim N, class T>
 double largest_side(const Aabb<N, T>& box) {
   return max_abs<N, double>(wide<N, T>(box.max) - wide<N, T>(box.min));
 }
 
-/// For points in a box whose sides are finite and not all zero. Scales beyond 2^1000 would be infinite for the smallest
-/// sets; theirs are small enough to be squared.
+/// For points in a box whose sides are finite and not all zero. Scales are limited to 2^1000, so that they stay finite
+/// for the smallest sets, which can be squared anyway.
 template <Dim N, class T>
 LocalFrame<N> local_frame(const Aabb<N, T>& box) {
   constexpr int most = 1000;

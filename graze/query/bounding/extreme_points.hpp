@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// extreme_points(points): a few of many points, the farthest ones along a fixed fan of directions. What bounds them
-// nearly bounds all.
+// extreme_points(points): selects the farthest points along a fixed fan of directions. A volume that bounds them nearly
+// bounds all.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace graze::detail {
 
-/// The sums that the directions of the fan make of a vector: in 2D the axes and the diagonals, in 3D the axes and the
+/// The dot products of a vector with the fan's directions: in 2D the axes and the diagonals, in 3D the axes and the
 /// diagonals of the cube. Larsson and Källberg, "Fast computation of tight-fitting oriented bounding boxes" (2011), use
 /// these seven.
 inline std::array<double, 4> fan_heights(const Vec<2, double>& v) { return {v.x, v.y, v.x + v.y, v.x - v.y}; }
@@ -26,7 +26,7 @@ template <Dim N>
 inline constexpr std::size_t fan_size = N == 2 ? 4 : 7;
 
 /// The indices of the lowest and the highest point along each direction of the fan, up to rounding; the first of equal
-/// ones. Points may be named twice. At least one point.
+/// ones. An index may appear twice. At least one point.
 template <Dim N, class T>
 std::array<std::size_t, 2 * fan_size<N>> extreme_points(std::span<const Vec<N, T>> points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();

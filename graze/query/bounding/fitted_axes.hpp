@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fitted_axes(points): in which directions to lay a box around points in space so that its surface is small. (The least
-// box can be found, but takes cubic time: O'Rourke, 1985.)
+// fitted_axes(points): the axes of a box around 3D points with a small surface area. (The minimum can be found, but
+// takes cubic time: O'Rourke, 1985.)
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@
 
 namespace graze::detail {
 
-/// An eighth of the surface of a box, for half extents; a fourth of it, for sides. Unlike the volume it tells thin
-/// boxes apart.
+/// An eighth of the surface area of a box from half extents; a quarter of half of it from sides. Unlike the volume it
+/// distinguishes flat boxes.
 inline double surface_of(const Vec<3, double>& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
 
 using Points3 = std::span<const Vec<3, double>>;
@@ -39,8 +39,8 @@ inline double surface_along(const Mat<3, double>& axes, Points3 points) {
   return surface_of(range.max - range.min);
 }
 
-/// Right-handed unit vectors: the first along `edge`, which is not zero, the last as near to `normal` as can be;
-/// whatever is left by rounding when they are parallel.
+/// Right-handed unit vectors: the first along `edge`, which is not zero, the last as close to `normal` as possible;
+/// determined by rounding if the two are parallel.
 inline Mat<3, double> axes_from(const Vec<3, double>& edge, const Vec<3, double>& normal) {
   const Vec<3, double> x = edge / std::sqrt(dot(edge, edge));
   const auto upright = [&x](Vec<3, double> v) {
@@ -64,7 +64,7 @@ inline std::array<Vec<3, double>, 2> farthest_pair(Points3 points) {
   return pair;
 }
 
-/// The point for which `height(point)` is largest.
+/// The point with the largest `height(point)`.
 template <class Height>
 Vec<3, double> highest(Points3 points, Height height) {
   return *std::max_element(points.begin(), points.end(), [&height](const Vec<3, double>& a, const Vec<3, double>& b) {
@@ -72,8 +72,9 @@ Vec<3, double> highest(Points3 points, Height height) {
   });
 }
 
-/// The best axes along an edge and the normal of a face of a large double tetrahedron among the points: on the pair
-/// farthest apart stands the largest triangle, on either side of that the highest points. Larsson and Källberg (2011).
+/// The best axes along an edge and the normal of a face of a large double tetrahedron among the points: its base is the
+/// largest triangle on the pair farthest apart, its tips the farthest points on either side. Larsson and Källberg
+/// (2011).
 inline Mat<3, double> ditetrahedron_axes(Points3 points) {
   const auto [a, b] = farthest_pair(points);
   const Vec<3, double> line = b - a;
@@ -102,7 +103,7 @@ inline Mat<3, double> ditetrahedron_axes(Points3 points) {
   return best;
 }
 
-/// `axes` turned about the one with index k so that the surface around the points is least.
+/// `axes` rotated about the one with index k to minimise the surface area of the box around the points.
 inline Mat<3, double> turned_about(Dim k, const Mat<3, double>& axes, Points3 points) {
   const Vec<3, double> u = axes[(k + 1) % 3];
   const Vec<3, double> v = axes[(k + 2) % 3];
@@ -123,10 +124,10 @@ inline Mat<3, double> turned_about(Dim k, const Mat<3, double>& axes, Points3 po
   return turned;
 }
 
-/// Turns the axes about each of them in turn while that makes the surface around the points less by more than rounding;
-/// the points are in local coordinates, about as large as 1.
+/// Rotates the axes about each of them in turn as long as the surface area decreases by more than rounding; the points
+/// are in local coordinates, with about unit size.
 inline Mat<3, double> refined_axes(Mat<3, double> axes, Points3 points) {
-  constexpr int most_turns = 60;  // 5 to 15 are usual; the gain of the later ones is small
+  constexpr int most_turns = 60;  // 5 to 15 are usual; later ones gain little
   double least = surface_along(axes, points);
   int since_better = 0;
   for (int turn = 0; turn < most_turns && since_better < 3; ++turn) {
@@ -138,10 +139,10 @@ inline Mat<3, double> refined_axes(Mat<3, double> axes, Points3 points) {
     axes = turned;
     since_better = 0;
   }
-  return axes_from(axes[0], axes[2]);  // orthonormal again after many turns
+  return axes_from(axes[0], axes[2]);  // orthonormalised again after many rotations
 }
 
-/// The points farthest out along axes, on either side, and the surface of the box between them.
+/// The extreme points along axes, on either side, and the surface area of the box between them.
 struct Outermost {
   std::array<Vec<3, double>, 6> points{};
   double surface = 0;
@@ -169,7 +170,7 @@ Outermost outermost_along(const Mat<3, double>& axes, std::span<const Vec<3, T>>
   return result;
 }
 
-/// All points when they are few, else the extreme ones.
+/// All points if there are few, otherwise the extreme ones.
 template <class T>
 std::vector<Vec<3, double>> first_choice(std::span<const Vec<3, T>> points, const LocalFrame<3>& frame) {
   constexpr std::size_t few = 64;
@@ -182,9 +183,9 @@ std::vector<Vec<3, double>> first_choice(std::span<const Vec<3, T>> points, cons
   return chosen;
 }
 
-/// Right-handed unit axes along which a box around the points has a small surface. They are fitted to a few extreme
-/// points, starting from a double tetrahedron among those and from the coordinate axes; then the points which stick out
-/// of the box found join the few, and the axes are fitted again.
+/// Right-handed unit axes of a box around the points with a small surface area. They are fitted to a few extreme
+/// points, starting from a double tetrahedron among those and from the coordinate axes; then points outside of the box
+/// are added to the few, and the axes are fitted again.
 template <class T>
 Mat<3, double> fitted_axes(std::span<const Vec<3, T>> points, const LocalFrame<3>& frame) {
   constexpr int most_rounds = 6;  // each is a pass over the points

@@ -12,15 +12,14 @@
 
 namespace graze::detail {
 
-/// A pointer that walks the corners of a convex polygon, counter-clockwise, without end. Differences of corners are
-/// exact up to one rounding, wherever the polygon lies. They are multiplied by `scale`, a power of two that makes the
-/// largest about 1.
+/// Walks the corners of a convex polygon counter-clockwise, cyclically. Differences of corners are exact up to one
+/// rounding, wherever the polygon is. They are multiplied by `scale`, a power of two that makes the largest about 1.
 template <class T>
 struct CornerWalk {
   std::span<const Vec<2, T>> corners;
   double scale;
-  std::size_t corner = 0;  ///< Where the pointer is.
-  std::size_t steps = 0;   ///< How far it has come.
+  std::size_t corner = 0;  ///< The current corner.
+  std::size_t steps = 0;   ///< The number of steps so far.
 
   std::size_t next() const { return corner + 1 < corners.size() ? corner + 1 : 0; }
   void step() {
@@ -32,32 +31,31 @@ struct CornerWalk {
     return (wide<2, T>(corners[other]) - wide<2, T>(corners[corner])) * scale;
   }
 
-  /// On to the first corner, at least `least_steps` from the start, after which the polygon turns back along
-  /// `direction`; at most one round more.
+  /// Advances to the first corner, at least `least_steps` from the start, after which the polygon turns back along
+  /// `direction`; at most one more revolution.
   void advance(std::size_t least_steps, const Vec<2, double>& direction) {
     while (steps < least_steps) step();
     while (steps < least_steps + corners.size() && dot(to(next()), direction) > 0) step();
   }
 };
 
-/// A vector along the edge between two corners that are not the same, with its larger coordinate 1: its direction is
-/// that of the edge up to one rounding, however short the edge. Corners farther apart than the largest double have
-/// none.
+/// A vector along the edge between two distinct corners, with its larger coordinate 1: its direction is that of the
+/// edge up to one rounding, however short the edge. None for corners farther apart than the largest double.
 template <class T>
 Vec<2, double> edge_direction(const Vec<2, T>& from, const Vec<2, T>& to) {
   const Vec<2, double> edge = wide<2, T>(to) - wide<2, T>(from);
   return edge / max_abs(edge);
 }
 
-/// A vector along the edge after a corner, whose square is in the range of double. Long edges, nearly all, are taken as
-/// they are; divisions would take longer than all the rest.
+/// A vector along the edge after a corner, whose square is in the range of double. Long edges, nearly all, are taken
+/// unchanged, because divisions would take longer than everything else.
 template <class T>
 Vec<2, double> moderate_edge(const CornerWalk<T>& walk) {
   const Vec<2, double> edge = walk.to(walk.next());
   return max_abs(edge) > 0x1p-400 ? edge : edge_direction(walk.corners[walk.corner], walk.corners[walk.next()]);
 }
 
-/// The unit vector along the edge of a convex polygon (corners counter-clockwise, no three on a line, at least two)
+/// The unit vector along the edge of a convex polygon (corners counter-clockwise, no three collinear, at least two)
 /// whose flush rectangle has the least `measure(width, height)`, the width along the edge; the first of equal ones.
 /// Lengths are multiplied by `scale`, which makes the largest about 1. Toussaint, "Solving geometric problems with the
 /// rotating calipers" (1983): linear time.

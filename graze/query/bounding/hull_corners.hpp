@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hull_corners(points): the corners of the convex hull of many points in the plane, in about linear time when most of
-// them lie inside.
+// hull_corners(points): the corners of the convex hull of many 2D points, in about linear time if most of them are
+// inside.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@
 
 namespace graze::detail {
 
-/// Sorts points lexicographically. Many are dealt into narrow strips by their x first, then each strip is sorted:
-/// linear time where x is spread out, n log n at worst.
+/// Sorts points lexicographically. Many points are first distributed to narrow strips by x, then each strip is sorted:
+/// linear time if x is evenly distributed, n log n in the worst case.
 template <class T>
 void sort_by_strips(std::span<Vec<2, T>> points) {
   constexpr std::size_t many = 1000;
@@ -40,7 +40,7 @@ void sort_by_strips(std::span<Vec<2, T>> points) {
     std::sort(points.begin(), points.end(), less);
     return;
   }
-  // Never decreasing in x, rounding included.
+  // Non-decreasing in x, including rounding.
   const auto strip_of = [&](const Vec<2, T>& point) {
     return std::min(strips - 1, static_cast<std::size_t>((static_cast<double>(point.x) - low) * per_length));
   };
@@ -65,8 +65,8 @@ void extend_chain(std::vector<Vec<2, T>>& chain, std::size_t fixed, const Vec<2,
   chain.push_back(point);
 }
 
-/// The corners of the hull from the points that its lower and its upper chain are among, each in order, and the
-/// lexicographically least and greatest: counter-clockwise, none between its neighbours.
+/// The corners of the hull from candidates for its lower and its upper chain, each sorted, and the lexicographically
+/// least and greatest point: counter-clockwise, none between its neighbours.
 template <class T>
 std::vector<Vec<2, T>> chain_around(const Vec<2, T>& least, std::span<const Vec<2, T>> below, const Vec<2, T>& greatest,
                                     std::span<const Vec<2, T>> above) {
@@ -83,7 +83,7 @@ std::vector<Vec<2, T>> chain_around(const Vec<2, T>& least, std::span<const Vec<
 }
 
 /// The corners of the hull of some points. They are split by the line between the outermost two, so that each is a
-/// candidate for one chain only; those on the line, up to rounding, for both. If these are many, nothing is gained.
+/// candidate for one chain only; those on the line, up to rounding, for both.
 template <class T>
 std::vector<Vec<2, T>> sorted_chain(std::vector<Vec<2, T>> points) {
   if (points.empty()) return points;
@@ -113,14 +113,14 @@ std::vector<Vec<2, T>> sorted_chain(std::vector<Vec<2, T>> points) {
   return chain_around<T>(least, below, greatest, above);
 }
 
-/// A side of a polygon: points with dot(inward, x) above `offset` lie strictly inside of it, rounding included.
+/// A side of a polygon: points with dot(inward, x) above `offset` are strictly inside of it, including rounding.
 struct InnerSide {
   Vec<2, double> inward;
   double offset;
 };
 
 /// The sides of a convex polygon with corners in counter-clockwise order, in local coordinates, which are at most 1.
-/// None when it has no inside.
+/// None if it has no interior.
 template <class T>
 std::vector<InnerSide> inner_sides(const std::vector<Vec<2, T>>& polygon, const LocalFrame<2>& frame) {
   std::vector<InnerSide> sides;
@@ -132,8 +132,8 @@ std::vector<InnerSide> inner_sides(const std::vector<Vec<2, T>>& polygon, const 
   return sides;
 }
 
-/// The same as `sorted_chain`, but points inside the octagon of extreme points are dropped before anything is sorted.
-/// Akl and Toussaint, "A fast convex hull algorithm" (1978).
+/// The same as `sorted_chain`, but points inside the octagon of extreme points are removed before sorting. Akl and
+/// Toussaint, "A fast convex hull algorithm" (1978).
 template <class T>
 std::vector<Vec<2, T>> hull_corners(std::span<const Vec<2, T>> points, const LocalFrame<2>& frame) {
   std::vector<Vec<2, T>> kept;

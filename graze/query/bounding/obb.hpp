@@ -22,7 +22,7 @@
 namespace graze {
 namespace detail {
 
-/// What a box is judged by: the area in 2D, the surface in 3D, a part of it.
+/// The measure to minimise: the area in 2D, part of the surface area in 3D.
 template <class T>
 double size_of(const Obb<2, T>& box, double scale) {
   const Vec<2, double> half = wide<2, T>(box.half_extents) * scale;
@@ -46,8 +46,8 @@ Obb<N, T> upright_obb(const Aabb<N, T>& box) {
   return result;
 }
 
-/// The vectors r_i with u_i = dot(r_i, v) / det(axes) for v = axes * u, each coordinate known to two epsilon: the rows
-/// of the adjoint matrix. In 2D exact.
+/// The vectors r_i with u_i = dot(r_i, v) / det(axes) for v = axes * u, each coordinate accurate to two epsilon: the
+/// rows of the adjoint matrix. Exact in 2D.
 inline std::array<Vec<2, double>, 2> adjoint_rows(const Mat<2, double>& axes) {
   return {Vec<2, double>(axes[1].y, -axes[1].x), Vec<2, double>(-axes[0].y, axes[0].x)};
 }
@@ -55,8 +55,8 @@ inline std::array<Vec<3, double>, 3> adjoint_rows(const Mat<3, double>& axes) {
   return {accurate_cross(axes[1], axes[2]), accurate_cross(axes[2], axes[0]), accurate_cross(axes[0], axes[1])};
 }
 
-/// True when `row` is exactly at right angles to a point's offset from a center, known only where rows are exact: in
-/// 2D. Times the scale, products and their errors are in the range of double.
+/// True if `row` is exactly perpendicular to a point's offset from a center; can be true only where rows are exact, in
+/// 2D. With the scale, products and their errors are in the range of double.
 template <class T>
 bool is_on_axis(const Vec<2, double>& row, const Vec<2, T>& point, const Vec<2, T>& center, double scale) {
   std::array<double, 8> terms{};
@@ -76,9 +76,9 @@ bool is_on_axis(const Vec<3, double>&, const Vec<3, T>&, const Vec<3, T>&, doubl
   return false;
 }
 
-/// How far a point reaches along an axis from the center of a box, times the determinant of the axes: |dot(row, p - c)|
-/// with a bound on its error added. That covers the roundings of what becomes of it too: all together 4 epsilon of the
-/// products' absolute values in 2D, 8.5 in 3D, where the rows are rounded.
+/// The extent of a point along an axis from the center of a box, times the determinant of the axes: |dot(row, p - c)|
+/// plus a bound on its error, which also covers subsequent roundings: in total 4 epsilon of the products' absolute
+/// values in 2D, 8.5 in 3D, where the rows are rounded.
 template <Dim N, class T>
 double reach_of(const Vec<N, double>& row, const Vec<N, T>& point, const LocalFrame<N>& frame,
                 const Vec<N, T>& center) {
@@ -91,7 +91,7 @@ double reach_of(const Vec<N, double>& row, const Vec<N, T>& point, const LocalFr
 }
 
 /// The smallest box with the given axes (orthonormal, right-handed) around points, up to rounding; with those axes as
-/// stored in T it contains the points exactly. Half extents that T does not have become infinite.
+/// stored in T it contains the points exactly. Half extents beyond T become infinite.
 template <Dim N, class T>
 Obb<N, T> obb_along(std::span<const Vec<N, T>> points, const Mat<N, double>& axes, const LocalFrame<N>& frame) {
   Obb<N, T> box;
@@ -118,8 +118,8 @@ Obb<N, T> obb_along(std::span<const Vec<N, T>> points, const Mat<N, double>& axe
   return box;
 }
 
-/// The smallest rectangle around points, though perhaps not the upright one of the same area. It has the first axis in
-/// the first quadrant.
+/// The smallest rectangle around points, though not necessarily the axis-aligned one among those of the same area. Its
+/// first axis is in the first quadrant.
 template <class T>
 Obb<2, T> turned_obb(std::span<const Vec<2, T>> points, const LocalFrame<2>& frame) {
   const std::vector<Vec<2, T>> hull = hull_corners(points, frame);
@@ -130,7 +130,7 @@ Obb<2, T> turned_obb(std::span<const Vec<2, T>> points, const LocalFrame<2>& fra
   return obb_along(corners, Mat<2, double>(along, perpendicular(along)), frame);
 }
 
-/// A box of small surface around points.
+/// A box of small surface area around points.
 template <class T>
 Obb<3, T> turned_obb(std::span<const Vec<3, T>> points, const LocalFrame<3>& frame) {
   return obb_along(points, fitted_axes(points, frame), frame);

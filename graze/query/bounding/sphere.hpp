@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Balls around points, in 2D discs: bounding_sphere, the smallest one, and bounding_sphere_fast, a slightly larger one
-// for less work.
+// Bounding spheres of points: bounding_sphere, the smallest one, and bounding_sphere_fast, slightly larger but cheaper.
 #pragma once
 
 #include <array>
@@ -25,7 +24,7 @@
 namespace graze {
 namespace detail {
 
-/// Points seen in their local frame, one by one: nothing is copied.
+/// Points in their local frame, converted on access: nothing is copied.
 template <Dim N, class T>
 struct LocalPoints {
   std::span<const Vec<N, T>> points;
@@ -35,14 +34,14 @@ struct LocalPoints {
   Vec<N, double> operator[](std::size_t i) const { return frame.local(points[i]); }
 };
 
-/// A sphere by its squared radius; a negative one stands for no sphere.
+/// A sphere with its squared radius; negative for no sphere.
 template <Dim N>
 struct BoundingBall {
   Vec<N, double> center = Vec<N, double>(0.0);
   double radius_squared = -1;
 };
 
-/// A few points: those that hold up a sphere, and one more.
+/// A few points: those on the boundary of the sphere, and one more.
 template <Dim N>
 struct FewPoints {
   std::array<Vec<N, double>, static_cast<std::size_t>(N) + 2> points{};
@@ -69,8 +68,8 @@ Farthest farthest_point(const Vec<N, double>& center, const Points& points) {
   return farthest;
 }
 
-/// The part of `v` at right angles to the unit vectors `axes[0 .. count)`; taken twice, for after one round as much as
-/// the rounding of a long `v` can be left.
+/// The component of `v` perpendicular to the unit vectors `axes[0 .. count)`; calculated twice, because after one pass
+/// the rounding error of a long `v` can be as large as the remainder.
 template <Dim N>
 Vec<N, double> rest_of(Vec<N, double> v, const std::array<Vec<N, double>, static_cast<std::size_t>(N)>& axes,
                        std::size_t count) {
@@ -80,9 +79,9 @@ Vec<N, double> rest_of(Vec<N, double> v, const std::array<Vec<N, double>, static
   return v;
 }
 
-/// The nearest center from which the given points, at most N + 1, are equally far, or the last such of fewer points
-/// where one depends on those before. With edges e_j from the first point the center lies at c = sum x_j e_j, where
-/// e_j . c = e_j . e_j / 2: each edge, longest rest first, adds a step at right angles to the steps before.
+/// The nearest center equidistant from the given points, at most N + 1, or the last such of fewer points if one depends
+/// on those before. With edges e_j from the first point the center is at c = sum x_j e_j, where e_j . c = e_j . e_j /
+/// 2: each edge, longest remainder first, adds a step perpendicular to the previous ones.
 template <Dim N>
 Vec<N, double> equidistant_center(const FewPoints<N>& corners) {
   std::array<Vec<N, double>, static_cast<std::size_t>(N)> edges{};
@@ -106,11 +105,11 @@ Vec<N, double> equidistant_center(const FewPoints<N>& corners) {
   return corners[0] + c;
 }
 
-/// The smallest sphere around the points of `support` and one more that it must touch; leaves in `support` those that
-/// hold it up. All subsets are tried, and every candidate is measured by the point farthest from it: where points are
-/// nearly dependent, and a center therefore wrong, it loses against the center of fewer points, which is then as good.
-/// (Points closer than d make a center wrong by epsilon / d, and can be left out at a cost of d^2. Where they are
-/// dependent but for rounding it may be no number at all.)
+/// The smallest sphere around the points of `support` and one more that it must touch; reduces `support` to the points
+/// that determine it. All subsets are tried, and every candidate is measured by the point farthest from it: if points
+/// are nearly dependent, and a center is therefore wrong, it loses against the center of fewer points, which is then as
+/// good. (Points closer than d make a center wrong by epsilon / d, and can be omitted at a cost of d^2. If they are
+/// dependent up to rounding, it may be NaN.)
 template <Dim N>
 BoundingBall<N> sphere_with(FewPoints<N>& support, const Vec<N, double>& touched) {
   FewPoints<N> all = support;
@@ -124,7 +123,7 @@ BoundingBall<N> sphere_with(FewPoints<N>& support, const Vec<N, double>& touched
       if ((subset >> i & 1U) != 0 && corners.size() <= static_cast<std::size_t>(N)) corners.push_back(all[i]);
     }
     const Vec<N, double> center = equidistant_center(corners);
-    if (!is_finite(center)) continue;  // nothing is far from NaN
+    if (!is_finite(center)) continue;  // no distance from NaN compares
     const double radius_squared = farthest_point(center, all).distance_squared;
     if (radius_squared < best.radius_squared) {
       best = {center, radius_squared};
@@ -135,13 +134,12 @@ BoundingBall<N> sphere_with(FewPoints<N>& support, const Vec<N, double>& touched
 }
 
 /// The center of the smallest sphere around points in a local frame: the sphere around a few of them grows until it
-/// contains all, each time to touch the point that is farthest out. Gärtner, "Fast and robust smallest enclosing
-/// spheres" (1999), section 3: a small number of passes (5 to 15 on a million points). Of all centers seen the one
-/// whose farthest point is nearest counts.
+/// contains all, each time to touch the farthest point outside. Gärtner, "Fast and robust smallest enclosing spheres"
+/// (1999), section 3: a small number of passes (5 to 15 on a million points). Returns the best of all centers seen.
 ///
-/// A center that is off by d costs d, but the sphere of a few points grows by d^2 only when it is put right: near the
-/// end it grows by less than rounding shows. So it ends when nothing is outside, up to rounding, or when the sphere has
-/// not grown for some passes.
+/// A center that is off by d costs d, but correcting it enlarges the sphere of a few points by d^2 only: near the end
+/// it grows by less than rounding shows. So the search ends when nothing is outside, up to rounding, or when the sphere
+/// has not grown for some passes.
 template <Dim N, class Points>
 Vec<N, double> smallest_sphere_center(const Points& points) {
   constexpr int most_passes_without_growth = 16;
@@ -165,15 +163,15 @@ Vec<N, double> smallest_sphere_center(const Points& points) {
   return best;
 }
 
-/// The center of a sphere that grows over the points in one pass: where a point is outside, to the smallest sphere
-/// around itself and the point. Ritter, "An efficient bounding sphere" (1990).
+/// The center of a sphere that grows over the points in one pass: for a point outside, to the smallest sphere around
+/// itself and the point. Ritter, "An efficient bounding sphere" (1990).
 template <Dim N, class Points>
 Vec<N, double> grown_sphere_center(BoundingBall<N> sphere, const Points& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec<N, double> to_point = points[i] - sphere.center;
     const double squared = length_squared(to_point);
     if (!(squared > sphere.radius_squared)) continue;
-    const double distance = std::sqrt(squared);  // not zero: it is more than a radius
+    const double distance = std::sqrt(squared);  // not zero: it exceeds a radius
     const double radius = 0.5 * (distance + std::sqrt(sphere.radius_squared));
     sphere.center += to_point * (1 - radius / distance);
     sphere.radius_squared = radius * radius;
@@ -181,10 +179,10 @@ Vec<N, double> grown_sphere_center(BoundingBall<N> sphere, const Points& points)
   return sphere.center;
 }
 
-/// A number that is not zero, but whose products with others of its kind may fall out of the range of double.
+/// A nonzero number whose products with similar ones may leave the range of double.
 inline bool is_vanishing(double x, double scale) { return x != 0 && std::fabs(x * scale) < 0x1p-450; }
 
-/// The sign of |v|^2 - r^2 where v = p - c is known with its rounding errors, exactly.
+/// The exact sign of |v|^2 - r^2 where v = p - c is known with its rounding errors.
 template <std::size_t N>
 int exact_side(const std::array<Rounded, N>& v, double r) {
   std::array<double, 6 * N + 2> terms{};
@@ -203,9 +201,9 @@ int exact_side(const std::array<Rounded, N>& v, double r) {
   return sign_of_sum(terms);
 }
 
-/// Whether a point lies outside a sphere, exactly, but for one case: where coordinates decide that vanish beside the
-/// size of the sphere, below 2^-450 of it, the point counts as outside. `scale` makes the radius about 1. The sign of
-/// |v|^2 - r^2, where v = p - c, is decided in double, else in twice its precision, else exactly.
+/// Whether a point is outside a sphere, exactly, with one exception: if the decision depends on coordinates below
+/// 2^-450 of the sphere's size, the point counts as outside. `scale` makes the radius about 1. The sign of |v|^2 - r^2,
+/// where v = p - c, is decided in double, otherwise in twice its precision, otherwise exactly.
 template <Dim N, class T>
 bool is_outside(const Vec<N, T>& point, const Sphere<N, T>& sphere, double scale) {
   const double r = static_cast<double>(sphere.radius) * scale;
@@ -231,7 +229,7 @@ bool is_outside(const Vec<N, T>& point, const Sphere<N, T>& sphere, double scale
   return vanishing || exact_side(v, r) > 0;
 }
 
-/// The sphere around a center with the least radius in T that contains the points exactly; infinite when T has none.
+/// The sphere around a center with the least radius in T that contains the points exactly; infinite if T has none.
 template <Dim N, class T>
 Sphere<N, T> covering_sphere(std::span<const Vec<N, T>> points, const LocalFrame<N>& frame,
                              const Vec<N, double>& local_center) {
@@ -249,7 +247,7 @@ Sphere<N, T> covering_sphere(std::span<const Vec<N, T>> points, const LocalFrame
   return sphere;
 }
 
-/// The sphere around points whose center, in their local frame, `find_center` finds.
+/// The sphere around points with the center that `find_center` finds in their local frame.
 template <Dim N, class T, class FindCenter>
 Sphere<N, T> sphere_around(std::span<const Vec<N, T>> points, const char* function, FindCenter find_center) {
   const Aabb<N, T> box = checked_box(points, function);

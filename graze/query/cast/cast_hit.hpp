@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shape_cast.hpp makes of rays. Include shape_cast.hpp.
+// The ray casts of shape_cast.hpp. Include shape_cast.hpp.
 #pragma once
 
 #include <algorithm>
@@ -18,13 +18,13 @@
 
 namespace graze::detail {
 
-/// Whether GJK's word is final for a set of differences. Of a shape as given it is `relation` that has it, as for rays.
+/// Whether GJK has the final decision for a Minkowski difference. For a given shape, `relation` has it, as for rays.
 template <class S>
 inline constexpr bool is_minkowski_difference = false;
 template <Dim N, Scalar Number>
 inline constexpr bool is_minkowski_difference<MinkowskiDifference<N, Number>> = true;
 
-/// A path with an end, from its own origin where the shape can be seen from there.
+/// A finite path, relative to its own origin if the shape can be expressed relative to it.
 template <Dim N>
 struct AskAboutPath {
   template <class S>
@@ -43,8 +43,8 @@ struct AskAboutPath {
   const Path<N>& path;
 };
 
-/// Where a path that is the beginning of a ray first touches. Touching at its end counts, also where it is rounding
-/// alone that brings the end there.
+/// Where a path that is the beginning of a ray first touches. Touching at its end counts, even if only rounding moves
+/// the end there.
 template <class S, class T>
 RayFinding<dimension_of<S>> ray_verdict_along(const S& shape, const Ray<dimension_of<S>, T>& ray,
                                               const Path<dimension_of<S>>& path) {
@@ -62,8 +62,7 @@ RayFinding<dimension_of<S>> ray_verdict_along(const S& shape, const Ray<dimensio
   return settled(shape, path, AskAboutPath<N>{path}, start);
 }
 
-/// ray_cast(shape, ray, 1) before t is rounded, for a direction that is not zero, and what touches at t = 1 for all
-/// that rounding tells.
+/// ray_cast(shape, ray, 1) before t is rounded, for a nonzero direction; includes what touches at t = 1 up to rounding.
 template <class S, class T>
 std::optional<RayHit<dimension_of<S>, double>> hit_in_double(const S& shape, const Ray<dimension_of<S>, T>& ray) {
   constexpr Dim N = dimension_of<S>;

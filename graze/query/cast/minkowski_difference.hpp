@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The set of differences b - a. A shape a that moves by a vector touches b where the point zero that moves by the same
-// vector touches this set (Cameron and Culley, "Determining the minimum translational distance between two convex
+// The Minkowski difference b - a. A shape a that moves by a vector touches b where the origin, moving by the same
+// vector, touches this set (Cameron and Culley, "Determining the minimum translational distance between two convex
 // polyhedra", 1986): so a moving shape is a ray. Include shape_cast.hpp.
 #pragma once
 
@@ -27,8 +27,8 @@ namespace graze::detail {
 
 // ---- Any two convex shapes
 
-/// A convex shape of any type, known by its support points. What lasts longer than a call through a pointer, as GJK
-/// does, is compiled once for all pairs and not for each. It must not outlive the shape.
+/// A convex shape of any type, accessed through its support function. Code that runs much longer than an indirect call,
+/// such as GJK, is compiled once for all pairs. It must not outlive the shape.
 template <Dim N>
 class ConvexView {
  public:
@@ -47,9 +47,9 @@ class ConvexView {
   Vec<N, double> (*support_)(const void*, const Vec<N, double>&);
 };
 
-/// The set b - (a - place) of two cores, widened by a radius, which a ray from `place` meets where a that moves meets
-/// b. With a point of a as the place the coordinates are as large as those of the shapes, and rounding is judged by
-/// them. `Number` is what the supports are calculated in.
+/// The set b - (a - place) of two cores, inflated by a radius, which a ray from `place` hits where a moving a touches
+/// b. With a point of a as the place, coordinates are as large as those of the shapes, and rounding is judged by them.
+/// `Number` is the supports' number type.
 template <Dim N, Scalar Number>
 struct MinkowskiDifference {
   ConvexView<N> a;
@@ -96,7 +96,7 @@ inline constexpr double support_error<MinkowskiDifference<N, float>> = tolerance
 template <Dim N>
 inline constexpr double support_error<DifferenceCore<N, float>> = tolerance::convex_in<float>;
 
-/// What the support points of two shapes are calculated in.
+/// The number type of the support points of two shapes.
 template <Convex A, Convex B>
 using SupportNumber =
     std::conditional_t<SupportsIn<A, dimension_of<A>, double> && SupportsIn<B, dimension_of<A>, double>, double, float>;
@@ -105,7 +105,7 @@ using SupportNumber =
 
 namespace graze {
 
-// Their own numbers are double, whatever the supports are calculated in.
+// Their own numbers are double, whatever the supports' number type.
 
 template <Dim N, Scalar Number>
 struct ShapeTraits<detail::MinkowskiDifference<N, Number>> : Space<N, double> {};
@@ -116,7 +116,7 @@ struct ShapeTraits<detail::DifferenceCore<N, Number>> : Space<N, double> {};
 
 namespace graze::detail {
 
-// ---- A box along the axes, and all that is nearer to it than a radius
+// ---- An AABB inflated by a radius
 
 template <Dim N>
 struct RoundedBox {
@@ -177,9 +177,9 @@ class SideCrossings {
   std::size_t count_ = 0;
 };
 
-/// Seen from between two such times, the nearest point of the box is on a face, an edge or a corner of known place:
-/// the line meets a sphere around that, seen across those axes alone whose coordinate is fixed. All of them are zero
-/// for a point in the box.
+/// Between two such times, the nearest point of the box is on a known face, edge or corner: the line meets a sphere
+/// around it, projected along the axes whose coordinates are not fixed. All coordinates are zero for a point in the
+/// box.
 template <Dim N>
 struct NearestSides {
   NearestSides(const Aabb<N, double>& box, const Vec<N, double>& along, const Vec<N, double>& point) {
@@ -194,9 +194,8 @@ struct NearestSides {
   Vec<N, double> direction = Vec<N, double>(0.0);
 };
 
-/// The square of the distance to a box is made of parabolas, one for each way between two crossings, and convex: the
-/// first of them that comes down to the square of the radius is it. Graded by the bands of the sphere in
-/// ray/verdict.hpp.
+/// The squared distance to a box is a convex function made of parabolas, one for each interval between two crossings:
+/// the first one that reaches the squared radius gives the hit. Judged by the bands of the sphere in ray/verdict.hpp.
 template <Dim N>
 RayFinding<N> ray_verdict_of(const RoundedBox<N>& solid, const Path<N>& path) {
   const auto& [zero, direction, t_max, far] = path;
@@ -208,7 +207,7 @@ RayFinding<N> ray_verdict_of(const RoundedBox<N>& solid, const Path<N>& path) {
     const double start = from;
     from = to;
     const NearestSides<N> sides(solid.box, direction, direction * (0.5 * start + 0.5 * to));
-    if (max_abs(sides.direction) == 0) continue;  // as far away as at the start; or inside, and then it has been met
+    if (max_abs(sides.direction) == 0) continue;  // as far away as at the start; or inside, and then it has been hit
     const SpherePassage<N> passage(sides.direction, sides.center, squared_radius);
     if (passage.depth < -band) continue;
     const double slack = tolerance::ray_end * size / std::sqrt(passage.whole);
@@ -226,7 +225,7 @@ RayFinding<N> ray_verdict_of(const RoundedBox<N>& solid, const Path<N>& path) {
   return missed<N>();
 }
 
-// ---- The obstacles with a closed form: of two cores seen from one place, and the sum of the shapes' radii
+// ---- Differences with a closed form: of two cores relative to one position, and the sum of the shapes' radii
 
 template <Dim N>
 Sphere<N, double> minkowski_difference_of(const Vec<N, double>& a, const Vec<N, double>& b, double radius) {

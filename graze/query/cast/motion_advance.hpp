@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How time_of_impact.hpp goes from one parting plane to the next, up to the first touch: conservative advancement
-// (Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996; Zhang, Lee, Kim, "Interactive continuous
-// collision detection for non-convex polyhedra", 2006) in b's frame. Where those go on by the distance over a bound on
-// the speed, and slow down as they come near, this looks for the time at which the plane that now parts the shapes no
-// longer does, as Box2D does (Catto, "Continuous collision", 2013), but goes only as far as it can be proved that the
-// plane parts them all the way: see Trajectory. What a step has found serves the next one: GJK begins at the corners
-// between which the shapes were nearest before, and the plane's gap over time needs no poses, but two directions that
-// turn.
+// The steps of time_of_impact.hpp from one separating plane to the next, up to the first contact: conservative
+// advancement (Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996; Zhang, Lee, Kim, "Interactive
+// continuous collision detection for non-convex polyhedra", 2006) in b's frame. Those advance by the distance divided
+// by a bound on the speed, and slow down near contact. This one finds the time at which the current separating plane no
+// longer separates the shapes, as Box2D does (Catto, "Continuous collision", 2013), but advances only as far as the
+// plane provably separates them: see Trajectory. The results of a step are reused: GJK starts at the corners that were
+// nearest before, and the plane's gap over time needs no poses, only two rotating directions.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +39,7 @@ inline constexpr int advance_step_limit = 512;
 inline double size_of_turn(double angle) { return std::fabs(angle); }
 inline double size_of_turn(const Vec<3, double>& turn) { return std::sqrt(dot(turn, turn)); }
 
-/// A turn at an even pace, its axis found once.
+/// A rotation at constant speed, with a precomputed axis.
 template <Dim N>
 class ConstantRotation;
 
@@ -49,7 +48,7 @@ class ConstantRotation<2> {
  public:
   explicit ConstantRotation(double whole) : angle_(whole) {}
 
-  /// Cosine (x) and sine (y) of the turn up to t.
+  /// Cosine (x) and sine (y) of the rotation up to t.
   Vec<2, double> at(double t) const { return angle_ == 0 ? Vec<2, double>(1, 0) : cosine_sine(angle_ * t); }
 
   static Mat<2, double> matrix(const Vec<2, double>& by) { return {by, perpendicular(by)}; }
@@ -77,30 +76,31 @@ class ConstantRotation<3> {
   Vec<3, double> axis_;
 };
 
-/// A time, and cosine (x) and sine (y) of how far a and b have turned by then.
+/// A time, and cosine (x) and sine (y) of the rotations of a and b until then.
 struct Moment {
   double t;
   Vec<2, double> by_a;
   Vec<2, double> by_b;
 };
 
-/// How a moves as b sees it, and how much the way of any point of a bends: the length of its second derivative.
+/// The motion of a relative to b, and a bound on the curvature of any point's path: the length of its second
+/// derivative.
 ///
-/// A plane at rest parts a from b by some gap at two times, and by h(x) from each point x of a. In between, dt apart,
-/// h(x) is nowhere lower than the chord between its heights at both times by more than bend dt^2 / 8; so the gap is
-/// nowhere lower than the parabola below the chord of the gaps.
+/// A plane fixed in b's frame separates a from b by some gap at two times, and by h(x) from each point x of a. In
+/// between, dt apart, h(x) is below the chord between its heights at both times by at most bend dt^2 / 8; so the gap is
+/// never below the parabola under the chord of the gaps.
 template <Dim N>
 struct Trajectory {
   Motion<N, double> a;
   Motion<N, double> b;
   double bend;
-  double size;  ///< A bound on all lengths of the pair and its way: what rounding and the target are relative to.
+  double size;  ///< A bound on all lengths of the pair and its motion: rounding and the target are relative to it.
   ConstantRotation<N> turn_a = ConstantRotation<N>(a.angular);
   ConstantRotation<N> turn_b = ConstantRotation<N>(b.angular);
 
   Moment at(double t) const { return {t, turn_a.at(t), turn_b.at(t)}; }
 
-  /// Where a is then, seen from b.
+  /// The pose of a at that time, relative to b.
   Pose<N, double> pose_of_a(const Moment& now) const {
     const Mat<N, double> of_a = turn_a.matrix(now.by_a);
     const Mat<N, double> back = transpose(turn_b.matrix(now.by_b));
@@ -108,16 +108,16 @@ struct Trajectory {
     return {back * of_a, back * (way - of_a * a.center) + b.center};
   }
 
-  /// Where b is then, seen from the world.
+  /// The pose of b at that time, in world coordinates.
   Pose<N, double> pose_of_b(const Moment& now) const {
     const Mat<N, double> of_b = turn_b.matrix(now.by_b);
     return {of_b, b.center + b.linear * now.t - of_b * b.center};
   }
 };
 
-/// In a frame that turns with b, with w the turns, v the ways, c the centers, and r how far a reaches from its own:
-/// what a's turning adds is (|w_a| + |w_b|)^2 r, or nothing if both turn alike, and what its center adds 2 |w_b| |v_a -
-/// v_b| (Coriolis) and |w_b|^2 |c_a - c_b|, as far apart as the centers get.
+/// In a frame that rotates with b, with the angular velocities w, the velocities v, the centers c, and r the extent of
+/// a from its own: a's rotation adds (|w_a| + |w_b|)^2 r, or nothing if both rotate alike, and its center adds 2 |w_b|
+/// |v_a - v_b| (Coriolis) and |w_b|^2 |c_a - c_b| for the largest distance of the centers.
 template <Dim N>
 Trajectory<N> trajectory_of(const Motion<N, double>& a, const Motion<N, double>& b, double reach, double radius) {
   const Vec<N, double> way = a.linear - b.linear;
@@ -130,7 +130,7 @@ Trajectory<N> trajectory_of(const Motion<N, double>& a, const Motion<N, double>&
   return {a, b, bend, far + reach + radius};
 }
 
-/// The farthest that a point of a shape's core can be from another.
+/// The largest distance of a point of a shape's core from a given point.
 template <Convex S>
 double reach_from(const Vec<dimension_of<S>, double>& center, const S& shape) {
   constexpr Dim N = dimension_of<S>;
@@ -140,19 +140,18 @@ double reach_from(const Vec<dimension_of<S>, double>& center, const S& shape) {
   return std::sqrt(dot(reach, reach));
 }
 
-// ---- The gap between b at rest and a somewhere else
+// ---- The gap between b at rest and a in a given pose
 
-/// What parts two shapes at some time.
+/// What separates two shapes at some time.
 template <Dim N>
 struct Parting {
-  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Of length 1, from a to b, as b sees it.
-  double gap = 0;                               ///< Along the normal, rounding taken off.
-  double distance = 0;                          ///< No less than how far apart they are.
+  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Unit vector, from a to b, in b's frame.
+  double gap = 0;                               ///< Along the normal, minus the rounding error.
+  double distance = 0;                          ///< An upper bound of the distance.
   double resolution = 0;
 };
 
-/// Two convex shapes, as cores and the sum of their radii. Remembers between which corners they were nearest when it
-/// was last asked.
+/// Two convex shapes, as cores and the sum of their radii. Caches the nearest corners of the last query.
 template <Dim N, Scalar Number>
 class ConvexPair {
  public:
@@ -160,7 +159,7 @@ class ConvexPair {
 
   const ConvexView<N>& a() const { return a_; }
 
-  /// How high above zero, along a normal, the shape b begins, a's radius taken off as well.
+  /// The height of the start of b along a normal, minus a's radius.
   double floor_along(const Vec<N, double>& normal) const { return dot(normal, b_.support(-normal)) - radius_; }
 
   Parting<N> parting_at(const Pose<N, double>& pose) {
@@ -176,8 +175,8 @@ class ConvexPair {
     return parting;
   }
 
-  /// Where they are nearest, as b sees it: between the two surfaces, which are as good as one. Of the pose that
-  /// `parting_at` was asked about last.
+  /// The nearest point in b's frame: between the two surfaces, which nearly coincide. For the pose of the last call of
+  /// `parting_at`.
   Vec<N, double> point_at(const Pose<N, double>& pose, const Vec<N, double>& normal, double radius_b) const {
     MovingDifference<N, Number> differences(a_, b_, pose);
     GjkResult<N> known = found_;
@@ -189,15 +188,15 @@ class ConvexPair {
   ConvexView<N> a_;
   ConvexView<N> b_;
   double radius_;
-  GjkResult<N> found_;              ///< When last asked.
+  GjkResult<N> found_;              ///< Of the last query.
   CornersOfDifference<N> corners_;  ///< Of its simplex.
 };
 
-/// A convex shape before a plane: one normal parts them all the time, or nothing does.
+/// A convex shape and a plane: one normal separates them all the time, or none does.
 template <Dim N>
 class HalfSpacePair {
  public:
-  /// The plane's normal of length 1, into it, and its height along that; what rounding makes of heights.
+  /// The plane's unit normal, pointing into it, its height along that, and the rounding error of heights.
   HalfSpacePair(const ConvexView<N>& a, double radius, const Vec<N, double>& normal, double height, double slack)
       : a_(a), radius_(radius), normal_(normal), height_(height), slack_(slack) {}
 
@@ -226,9 +225,9 @@ class HalfSpacePair {
   double slack_;
 };
 
-/// The gap that a plane across a normal, at rest as b sees it, leaves between a pair in time. With n the normal as the
-/// world sees it and d as a does, p the foremost point of a, v the ways and c the centers, the points of a reach up to
-/// d . (p - c_a) + n . (c_a - c_b + (v_a - v_b) t), counted from b's center.
+/// The gap over time that a plane with a normal fixed in b's frame leaves between a pair. With n the normal in world
+/// coordinates and d in a's frame, p the foremost point of a, v the velocities and c the centers, the points of a
+/// extend to d . (p - c_a) + n . (c_a - c_b + (v_a - v_b) t), relative to b's center.
 template <Dim N, class Pair>
 class GapInTime {
  public:
@@ -256,20 +255,20 @@ class GapInTime {
   Vec<N, double> way_;
 };
 
-// ---- From one parting plane to the next
+// ---- From one separating plane to the next
 
-/// The least of a parabola from g at 0 to h at 1 whose second derivative is 2 c: g + s (h - g - c) + c s^2.
+/// The minimum of a parabola from g at 0 to h at 1 with the second derivative 2 c: g + s (h - g - c) + c s^2.
 inline double least_between(double g, double h, double c) {
   const double fall = g + c - h;
   if (!(fall > 0 && fall < 2 * c)) return std::min(g, h);
   return g - fall * fall / (4 * c);
 }
 
-/// The latest time found, up to 1, until which the plane of a parting keeps a gap of `goal`. With `latest` such that
-/// bend dt^2 / 2 is half of what may be lost, so that a chord that ends at the goal is not undercut. Where that does
-/// not hold, the root of what is left above the goal is closed in on, by the secant (with one end weighed down that
-/// stays, the Illinois algorithm: Dowell, Jarratt, "A modified regula falsi method", 1971) or each third time by
-/// halves, until little of it is left.
+/// The latest time found, up to 1, until which the separating plane keeps a gap of `goal`. `latest` is such that bend
+/// dt^2 / 2 is half of what may be lost, so that a chord that ends at the goal is not undercut. If the plane does not
+/// hold until then, the root of the remainder above the goal is bracketed, by the secant method (with one weighted end,
+/// the Illinois algorithm: Dowell, Jarratt, "A modified regula falsi method", 1971) or every third time by bisection,
+/// until little of it remains.
 template <Dim N, class Pair>
 Moment moment_parted(const Pair& pair, const Trajectory<N>& trajectory, const Moment& now, const Parting<N>& parting,
                      double goal) {
@@ -277,7 +276,7 @@ Moment moment_parted(const Pair& pair, const Trajectory<N>& trajectory, const Mo
   const GapInTime<N, Pair> gap(pair, trajectory, parting.normal);
   const double spare = parting.gap - goal;
   Moment kept_moment = now;
-  // What is left above the goal after a step, of a plane that is kept until then if that is not negative.
+  // What remains above the goal after a step, for a plane that holds until then if the result is not negative.
   const auto left_after = [&](double step) {
     const Moment then = trajectory.at(now.t + step);
     const double after = gap.at(then) - parting.resolution;
@@ -294,7 +293,7 @@ Moment moment_parted(const Pair& pair, const Trajectory<N>& trajectory, const Mo
   double left = spare;
   bool was_kept = false;
   for (int i = 1; i <= step_limit && !(was_kept && left <= little); ++i) {
-    const double aim = std::max(left / 2, left - little / 2);  // so that the last step is one that is kept
+    const double aim = std::max(left / 2, left - little / 2);  // so that the last step is one that holds
     const double share = i % 3 == 0 ? 0.5 : std::min(1 - 0x1p-10, aim / (left - over));
     const double step = kept + (latest - kept) * share;
     if (!(kept < step && step < latest)) break;
@@ -308,9 +307,9 @@ Moment moment_parted(const Pair& pair, const Trajectory<N>& trajectory, const Mo
   return kept_moment;
 }
 
-/// Before this time the spheres that the shapes turn in do not touch; none if they never do. The spheres are larger
-/// than they need be by twice the target, which hides all rounding, and by more than GJK cannot resolve: at their touch
-/// it still tells a normal.
+/// Before this time the spheres that the shapes rotate in do not touch; none if they never do. The spheres are larger
+/// than necessary by twice the target, which covers all rounding, and by more than GJK's resolution: when they touch,
+/// GJK still finds a normal.
 template <Dim N>
 std::optional<double> time_of_spheres(const Trajectory<N>& trajectory, double reach) {
   const double largest = reach + sum_abs(trajectory.a.center) + sum_abs(trajectory.b.center);
@@ -325,8 +324,8 @@ std::optional<double> time_of_spheres(const Trajectory<N>& trajectory, double re
   return std::max(0.0, passage.enter());
 }
 
-/// Goes on from t until the shapes are as near as the target, or the motion ends. Half of the target is kept, so that
-/// rounding cannot spend it.
+/// Advances from t until the shapes are within the target, or the motion ends. Half of the target is kept as a reserve
+/// for rounding.
 template <Dim N, class Pair>
 std::optional<CastHit<N>> advance_to_impact(Pair pair, const Trajectory<N>& trajectory, double t, double radius_b) {
   Moment now = trajectory.at(t);
@@ -343,7 +342,7 @@ std::optional<CastHit<N>> advance_to_impact(Pair pair, const Trajectory<N>& traj
     now = next;
   }
   const Pose<N, double> pose_of_a = trajectory.pose_of_a(now);
-  if (!has_arrived) parting = pair.parting_at(pose_of_a);  // at the limit t has gone on since
+  if (!has_arrived) parting = pair.parting_at(pose_of_a);  // at the limit, t has advanced since
   const bool is_near = parting.distance <= 2 * tolerance::impact * trajectory.size + 16 * parting.resolution;
   const Pose<N, double> back = trajectory.pose_of_b(now);
   const Vec<N, double> point = pair.point_at(pose_of_a, parting.normal, radius_b);

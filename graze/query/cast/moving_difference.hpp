@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The set of differences of a convex shape that moves and another: what GJK knew of it at one time is where it begins
-// at another.
+// The Minkowski difference of a moving convex shape and another: GJK's result at one time is the starting point at
+// another.
 #pragma once
 
 #include <algorithm>
@@ -25,15 +25,15 @@ struct CornerOfDifference {
   Vec<N, double> on_b;
 };
 
-/// Those of a simplex; none to begin with.
+/// The points of a simplex; none initially.
 template <Dim N>
 struct CornersOfDifference {
   std::array<CornerOfDifference<N>, static_cast<std::size_t>(N) + 1> corners;
   std::size_t size = 0;
 };
 
-/// The differences moved a - b, which remember the points that they were made of. `Number` is what the supports are
-/// calculated in. It must not outlive the shapes.
+/// The differences moved a - b, which remember the points that they were made from. `Number` is the supports' number
+/// type. It must not outlive the shapes.
 template <Dim N, Scalar Number>
 class MovingDifference {
  public:
@@ -49,21 +49,21 @@ class MovingDifference {
     return largest_ * (std::is_same_v<Number, float> ? tolerance::convex_in<float> : tolerance::convex);
   }
 
-  /// The same points of both shapes, where they are now.
+  /// The simplex of the same points of both shapes, at their current positions.
   Simplex<N> simplex_of(const CornersOfDifference<N>& known) {
     Simplex<N> simplex;
     for (std::size_t i = 0; i < known.size; ++i) simplex.push(add(known.corners[i]));
     return simplex;
   }
 
-  /// Of differences that have come from here.
+  /// For differences created here.
   CornersOfDifference<N> corners_of(const Simplex<N>& simplex) const {
     CornersOfDifference<N> known;
     for (std::size_t i = 0; i < simplex.size; ++i) known.corners[known.size++] = made(simplex.points[i]).corner;
     return known;
   }
 
-  /// The moved point of a that a difference was made of.
+  /// The moved point of a that a difference was made from.
   Point on_a(const Point& difference) const { return moved(made(difference).corner.on_a); }
 
  private:

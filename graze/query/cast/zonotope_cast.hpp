@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The closed form of shape_cast.hpp for boxes, capsules and spheres in any mix but those that are simpler: two
-// zonotopes of which one moves, a box or a segment each, widened by radii. Include shape_cast.hpp.
+// The closed form of shape_cast.hpp for all pairs of boxes, capsules and spheres without a simpler one: two zonotopes
+// of which one moves, a box or a segment each, inflated by radii. Include shape_cast.hpp.
 //
-// The set of their differences is a zonotope with round edges. The last of its faces' planes to be crossed gives the
-// touch if it is there that the point meets the face; else one of the face's edges, as a tube, or one of its corners,
-// as a sphere. Whatever is found is an answer only with a proof: the two points that it names are as near to each other
-// as they should be, and the plane between has the shapes on its two sides. It need therefore not try all edges; what
-// it does not find, or what nearly touches, is unclear, and left to GJK.
+// Their Minkowski difference is a zonotope with rounded edges. The last of its faces' planes to be crossed gives the
+// hit if the point is on the face there; otherwise one of the face's edges, as a tube, or one of its corners, as a
+// sphere, does. A result is used only with a proof: the two points that it names are at the right distance, and the
+// plane between them separates the shapes. So not all edges need be tried; what is not found, or nearly touches, is
+// unclear, and left to GJK.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ namespace graze::detail {
 template <Dim N, std::size_t Edges>
 struct TouchOfZonotope {
   double t = 0;
-  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Of length 1, along the motion.
+  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Unit vector, along the motion.
   std::array<double, Edges> places{};           ///< On each half edge, from -1 to 1.
   double error = 0;
 };
@@ -42,12 +42,13 @@ struct RayVerdictOfZonotope {
   bool are_places_known = true;  ///< False on a face with edges in more than two directions.
 };
 
-/// What the zonotope has in one supporting plane: the edges along it, parallel ones added up, and those that end there.
+/// The part of the zonotope in one supporting plane: the edges along it, with parallel ones added up, and those that
+/// end there.
 template <Dim N, std::size_t Edges>
 struct FaceOfZonotope {
   static constexpr std::size_t none = N;
 
-  std::array<double, Edges> places{};  ///< Of an edge in a group: how it goes along with the group's sum, 1 or -1.
+  std::array<double, Edges> places{};  ///< Of an edge in a group: its orientation relative to the group's sum, 1 or -1.
   std::array<std::size_t, Edges> group{};
   std::array<Vec<N, double>, static_cast<std::size_t>(N)> sums{};
   std::size_t groups = 0;
@@ -61,7 +62,7 @@ struct FaceOfZonotope {
     return result;
   }
 
-  /// What is left of the face where one group is at a place: the edge there, or the corner.
+  /// The part of the face where one group is at a position: the edge there, or the corner.
   FaceOfZonotope at(std::size_t index, double place) const {
     FaceOfZonotope result = *this;
     for (std::size_t k = 0; k < Edges; ++k) {
@@ -79,7 +80,7 @@ struct FaceOfZonotope {
   }
 };
 
-/// The face with the lowest points along a normal of length 1. More than N - 1 groups are too many to tell places.
+/// The face with the lowest points along a unit normal. More than N - 1 groups are too many to determine positions.
 template <Dim N, std::size_t Edges>
 FaceOfZonotope<N, Edges> lowest_face(const RoundedZonotope<N, Edges>& solid, const Vec<N, double>& normal,
                                      double size) {
@@ -97,7 +98,7 @@ FaceOfZonotope<N, Edges> lowest_face(const RoundedZonotope<N, Edges>& solid, con
       if (max_abs(product) <= tie * max_abs(face.sums[g])) break;
       ++g;
     }
-    if (g == face.sums.size()) continue;  // there are too many anyway
+    if (g == face.sums.size()) continue;  // too many anyway
     face.places[k] = g < face.groups && dot(edge, face.sums[g]) < 0 ? -1 : 1;
     face.sums[g] += edge * face.places[k];
     face.group[k] = g;
@@ -131,7 +132,7 @@ class ZonotopeCast {
  private:
   static Result missed() { return {RayVerdict::misses}; }
 
-  /// At the last plane to be crossed.
+  /// The result at the last plane to be crossed.
   Result at_plane(double t, const Vec<N, double>& normal) const {
     const Face face = lowest_face(solid_, normal, size_);
     if (face.groups >= static_cast<std::size_t>(N)) return {RayVerdict::unclear, {t, normal}, !is_on_way(t, normal)};
@@ -156,7 +157,7 @@ class ZonotopeCast {
 
   static double clamped(double share) { return std::min(std::max(share, -1.0), 1.0); }
 
-  /// Beside the face, by so many of its half edges: the edge that it is farther beside, and then the other.
+  /// Beside the face, by this many of its half edges: tries the edge that it is farther beside, and then the other.
   Result at_edges_of(const Face& face, double first, double second) const {
     const double beside_first = (std::fabs(first) - 1) * sum_abs(face.sums[0]);
     const double beside_second = (std::fabs(second) - 1) * sum_abs(face.sums[1]);
@@ -166,7 +167,7 @@ class ZonotopeCast {
     return beside_first >= beside_second ? at_edge(face.at(1, clamped(second))) : at_edge(face.at(0, clamped(first)));
   }
 
-  /// On the tube around an edge, seen along it, if that is between the edge's ends.
+  /// On the tube around an edge, projected along it, if that is between the edge's ends.
   Result at_edge(const Face& edge) const {
     const Vec<N, double>& along = edge.sums[0];
     const double whole = dot(along, along);
@@ -196,15 +197,15 @@ class ZonotopeCast {
     return proved(sphere.enter(), normal_of(sphere.spoke(motion_)), corner);
   }
 
-  /// Towards the set, from a spoke of the tube or the sphere, which is about as long as the radius.
+  /// Towards the set, from a radius vector of the tube or the sphere, whose length is about the radius.
   static Vec<N, double> normal_of(const Vec<N, double>& spoke) { return spoke / -std::sqrt(dot(spoke, spoke)); }
 
-  /// How far the whole set is along a normal of length 1 from where the point is at t.
+  /// The distance of the whole set along a unit normal from the point's position at t.
   double height_at(double t, const Vec<N, double>& normal) const {
     return dot(normal, solid_.center - motion_ * t) - reach_along(solid_, normal) - solid_.radius;
   }
 
-  /// Missed if the set is beyond a plane across this vector, not zero, all the time.
+  /// Missed if the set is beyond a plane perpendicular to this nonzero vector all the time.
   Result passed(const Vec<N, double>& off) const {
     const Vec<N, double> normal = off / std::sqrt(dot(off, off));
     return std::min(height_at(0, normal), height_at(1, normal)) > margin_ ? missed() : Result{};
@@ -215,8 +216,8 @@ class ZonotopeCast {
     return std::min(t, 1 - t) * dot(normal, motion_) > margin_;
   }
 
-  /// The touch if it is one: the zonotope's point at the places is as far away as it should be, so that the set is no
-  /// farther; and the plane there has all of it on the other side, so that it is no nearer, nor has it been.
+  /// The hit if it is proved: the zonotope's point at the positions is at the right distance, so the set is no farther;
+  /// and the plane there has all of it on the other side, so it is no nearer, and was not before.
   Result proved(double t, const Vec<N, double>& normal, const Face& corner) const {
     if (t > 1 && height_at(1, normal) > margin_) return missed();
     if (!is_on_way(t, normal)) return {};
@@ -232,7 +233,7 @@ class ZonotopeCast {
   double margin_;
 };
 
-/// What the closed form says of two cores, widened by radii: if they hit, where.
+/// The closed form's result for two cores, inflated by radii: the hit, if any.
 template <Dim N>
 struct CastHitOfZonotopes {
   RayVerdict verdict = RayVerdict::unclear;
@@ -245,7 +246,7 @@ concept HasZonotope = requires(const Core& core) {
   zonotope(core);
 };
 
-/// On a face with edges in several directions, where both cores lie flat, the time is known and the point is sought.
+/// On a face with edges in several directions, where both cores lie flat, the time is known and the point is searched.
 template <class A, class B, std::size_t Edges>
 CastHitOfZonotopes<dimension_of<A>> cast_hit_of_flat(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b,
                                                      const Radii& radii,
@@ -262,7 +263,7 @@ CastHitOfZonotopes<dimension_of<A>> cast_hit_of_flat(const A& a, const Vec<dimen
           {touch.t, nearest.on_b - touch.normal * radii.b, touch.normal, Status::converged, error + rounding}};
 }
 
-/// For a core a that moves along `motion`, not zero, from a place apart from b.
+/// For a core a that moves along `motion`, not zero, from a position apart from b.
 template <HasZonotope A, HasZonotope B>
 CastHitOfZonotopes<dimension_of<A>> cast_hit_of_zonotopes(const A& a, const Vec<dimension_of<A>, double>& motion,
                                                           const B& b, const Radii& radii) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The set of differences of two zonotopes, widened by a radius, and when a point that moves from zero is between all
+// The Minkowski difference of two zonotopes, inflated by a radius, and when a point that moves from zero is between all
 // pairs of its faces (moving separating axes). Include shape_cast.hpp.
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace graze::detail {
 
-/// All center + sum of u[i] * half_edges[i] with |u[i]| <= 1, and whatever is nearer to that than the radius.
-/// `directions[i]` is parallel to half_edges[i], and not zero if that is zero because a box is flat.
+/// All center + sum of u[i] * half_edges[i] with |u[i]| <= 1, inflated by the radius. `directions[i]` is parallel to
+/// half_edges[i], and not zero even if that is zero because a box is flat.
 template <Dim N, std::size_t Edges>
 struct RoundedZonotope {
   Vec<N, double> center;
@@ -43,7 +43,7 @@ RoundedZonotope<N, A + B> difference_of(const Zonotope<N, A>& a, const Zonotope<
   return result;
 }
 
-/// A bound on the coordinates of every point, added up.
+/// A bound on the sum of the coordinates' magnitudes of every point.
 template <Dim N, std::size_t Edges>
 double size_of(const RoundedZonotope<N, Edges>& solid) {
   double size = sum_abs(solid.center) + solid.radius;
@@ -51,7 +51,7 @@ double size_of(const RoundedZonotope<N, Edges>& solid) {
   return size;
 }
 
-/// How far the zonotope reaches from its center along a direction, in units of its length, without the radius.
+/// The extent of the zonotope from its center along a direction, in units of its length, without the radius.
 template <Dim N, std::size_t Edges>
 [[gnu::always_inline]] inline double reach_along(const RoundedZonotope<N, Edges>& solid,
                                                  const Vec<N, double>& direction) {
@@ -60,22 +60,24 @@ template <Dim N, std::size_t Edges>
   return reach;
 }
 
-/// When a point that moves from zero along `motion`, to its end at t = 1, is between the two supporting planes across
-/// each of some axes: a closed interval for each, of which it has to be in all (the slabs of Kay and Kajiya, 1986, with
-/// the axes of Gottschalk, Lin, Manocha, 1996). Every axis counts, however it was rounded, since the planes across it
-/// bound the set; of nearly parallel edges the product is at right angles to both, so that no point of their face is
-/// off the plane across it by more than rounding.
+/// When a point that moves from zero along `motion`, with its end at t = 1, is between the two supporting planes across
+/// each of some axes: a closed interval for each, whose intersection counts (the slabs of Kay and Kajiya, 1986, with
+/// the axes of Gottschalk, Lin, Manocha, 1996). Every axis is valid, however it was rounded, since the planes across it
+/// bound the set; for nearly parallel edges, the product is perpendicular to both, so that no point of their face is
+/// off the plane by more than rounding.
 template <Dim N>
 class AxisTimes {
  public:
-  /// `size` is that of the set; where two times are as near as it takes to move by tolerance::ray_side of that across a
-  /// plane, it is not clear which is first.
+  /// `size` is that of the set; if two times differ by less than the time to move by tolerance::ray_side of that across
+  /// a plane, their order is uncertain.
   AxisTimes(const Vec<N, double>& center, const Vec<N, double>& motion, double radius, double size)
       : center_(center), motion_(motion), radius_(radius), margin_(tolerance::ray_side * size) {}
 
-  /// The planes across `axis` (any length but zero), between which the set without its radius reaches so far.
+  /// Adds the planes perpendicular to `axis` (any nonzero length), between which the set without its radius has this
+  /// extent.
   [[gnu::always_inline]] inline void add(const Vec<N, double>& axis, double reach) {
-    // An axis across the motion has the point between its planes always or never: these times are as good as infinite.
+    // For an axis perpendicular to the motion, the point is between its planes always or never: these times are
+    // effectively infinite.
     const double slope = dot(axis, motion_);
     const double inverse = 1 / std::max(std::fabs(slope), least_slope);
     const double middle = slope < 0 ? -dot(axis, center_) : dot(axis, center_);
@@ -94,10 +96,11 @@ class AxisTimes {
 
   /// Whether the point is never between all planes, even if they are moved out by the margin.
   bool are_missed() const { return first_ > last_; }
-  /// Whether it is once, even if they are moved in.
+  /// Whether it is at some time, even if they are moved in.
   bool are_entered() const { return surely_first_ <= surely_last_; }
 
-  /// When the last plane is crossed, maybe before the start, and its normal, of any length, along the motion.
+  /// The time at which the last plane is crossed, possibly before the start, and its normal, of any length, along the
+  /// motion.
   double enter() const { return enter_; }
   const Vec<N, double>& normal() const { return normal_; }
 
@@ -114,8 +117,8 @@ class AxisTimes {
   Vec<N, double> normal_ = Vec<N, double>(0.0);
 };
 
-/// Whether two directions, and with them the shapes along them, cannot be told from parallel ones: `squared` is that of
-/// their cross product's length.
+/// Whether two directions, and with them the shapes along them, cannot be distinguished from parallel ones: `squared`
+/// is the squared length of their cross product.
 template <Dim N>
 bool are_parallel(const Vec<N, double>& a, const Vec<N, double>& b, double squared) {
   return !(squared > tolerance::rounding * tolerance::rounding * (dot(a, a) * dot(b, b)));
@@ -131,7 +134,7 @@ template <std::size_t Edges>
   return reach;
 }
 
-/// The normals of all faces: they are spanned by two edges each.
+/// The normals of all faces: each is spanned by two edges.
 template <std::size_t Edges>
 void add_axes(const RoundedZonotope<3, Edges>& solid, const Vec<3, double>&, AxisTimes<3>& times) {
 #pragma GCC unroll 6
@@ -145,8 +148,8 @@ void add_axes(const RoundedZonotope<3, Edges>& solid, const Vec<3, double>&, Axi
   }
 }
 
-/// A parallelogram has sides as well. One that is as narrow as a segment has no plane: then the ends count, and the way
-/// on which its line is approached.
+/// A parallelogram has sides as well. One as narrow as a segment has no plane: then the ends count, and the direction
+/// from which its line is approached.
 inline void add_axes(const RoundedZonotope<3, 2>& solid, const Vec<3, double>& motion, AxisTimes<3>& times) {
   const auto& [u, v] = solid.directions;
   const Vec<3, double> across = cross_of_directions(u, v);

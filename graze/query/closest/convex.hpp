@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest points of any two convex shapes, from nothing but their support functions: those of closest_points.hpp
+// The nearest points of any two convex shapes, from their support functions alone: the pairs of closest_points.hpp
 // without a closed form. Include closest_points.hpp.
 #pragma once
 
@@ -22,11 +22,10 @@
 
 namespace graze::detail {
 
-/// How many support points are asked for: two walks to the end, and the directions that bounds are proved with in
-/// between.
+/// The maximum number of support points: two complete runs, and the directions that prove bounds in between.
 inline constexpr std::size_t most_supports = 2 * static_cast<std::size_t>(gjk_iteration_limit) + 32;
 
-/// The set of differences a - b, which remembers the points that its support points were made of.
+/// The Minkowski difference a - b, which remembers the points that its support points were made from.
 template <Convex A, Convex B>
 class WitnessedDifference {
  public:
@@ -46,7 +45,7 @@ class WitnessedDifference {
 
   double resolution() const { return std::max(support_error<A>, support_error<B>) * largest_; }
 
-  /// The point of a that a support point was made of.
+  /// The point of a that a support point was made from.
   Point on_a(const Point& difference) const {
     const auto* const end = witnesses_.begin() + count_;
     return std::find_if(witnesses_.begin(), end, [&](const Witness& w) { return w.difference == difference; })->on_a;
@@ -65,8 +64,8 @@ class WitnessedDifference {
   std::array<Witness, most_supports> witnesses_;
 };
 
-/// GJK stops when the distance is known well enough, but then the points can be off by the root of that. So it goes on
-/// until no support point is nearer by more than rounding: on polytopes, until the right faces are found.
+/// GJK stops when the distance is known well enough, but then the points can be off by its square root. This continues
+/// until no support point is nearer by more than rounding: for polytopes, until the right faces are found.
 template <class Differences>
 void go_on(Differences& differences, GjkResult<Differences::dimension>& result) {
   constexpr Dim N = Differences::dimension;
@@ -89,10 +88,10 @@ void go_on(Differences& differences, GjkResult<Differences::dimension>& result) 
   }
 }
 
-// ---- The shares of a simplex's corners in one of its points
+// ---- Barycentric coordinates in a simplex
 
-/// A simplex in space, seen from its first corner: with edges e_i to the others, its point sum of s_i e_i has the
-/// shares s_i.
+/// A 3D simplex, relative to its first corner: with edges e_i to the others, its point sum of s_i e_i has the
+/// coordinates s_i.
 template <Dim N>
 class SharesInSimplex {
  public:
@@ -108,8 +107,8 @@ class SharesInSimplex {
     for (Vec<3, double>& edge : edges_) edge *= scale_;
   }
 
-  /// From zero to one, and no more than one in all. Where a simplex is almost flat, its shares are rounded much; what
-  /// they leave of the point is shared out again.
+  /// Each from zero to one, and the sum at most one. If a simplex is almost flat, rounding of its coordinates is large;
+  /// what they leave of the point is distributed again.
   Shares of(const Vec<N, double>& point) const {
     constexpr int rounds = 3;
     Shares shares{};
@@ -131,7 +130,7 @@ class SharesInSimplex {
   }
 
  private:
-  /// None of a simplex that is flat up to rounding.
+  /// None for a simplex that is flat up to rounding.
   Shares solve(const Vec<3, double>& point) const {
     const auto& [u, v, w] = edges_;
     Shares shares{};
@@ -158,7 +157,7 @@ class SharesInSimplex {
   double scale_ = 1;
 };
 
-/// How GJK ended, beside the points.
+/// GJK's final state besides the points.
 template <Dim N>
 struct ConvexCores {
   ClosestPair<N> closest;
@@ -166,13 +165,13 @@ struct ConvexCores {
   double error;
 };
 
-/// From where GJK has ended; `differences` remember the points that its support points were made of.
+/// From GJK's result; `differences` remember the points that their support points were made from.
 template <class Differences>
 ConvexCores<Differences::dimension> closest_from(Differences& differences, GjkResult<Differences::dimension> found) {
   constexpr Dim N = Differences::dimension;
   go_on(differences, found);
   const std::array<double, 3> shares = SharesInSimplex<N>(found.simplex).of(found.separation);
-  // Corners are added to the first one, so that nothing is lost far from the origin.
+  // Corners are added relative to the first one, so that nothing is lost far from the origin.
   const Vec<N, double> first = differences.on_a(found.simplex.points[0]);
   const Vec<N, double> first_b = first - found.simplex.points[0];
   ClosestPair<N> pair{first, first_b, -found.separation, dot(found.separation, found.separation)};
@@ -184,7 +183,7 @@ ConvexCores<Differences::dimension> closest_from(Differences& differences, GjkRe
   return {pair, found.status, std::max(0.0, found.upper - found.lower) + found.resolution};
 }
 
-/// The nearest points of two cores, or a common one.
+/// The nearest points of two cores, or a common point.
 template <Convex A, Convex B>
 ConvexCores<dimension_of<A>> closest_of_convex(const A& a, const B& b) {
   WitnessedDifference<A, B> differences(a, b);

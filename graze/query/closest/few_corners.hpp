@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FewCorners: the corners of a small polytope where they are seen, in rows that are searched several times.
+// FewCorners: the transformed corners of a small polytope, in rows for repeated searches.
 #pragma once
 
 #include <array>
@@ -16,16 +16,15 @@
 
 namespace graze::detail {
 
-/// Up to `room` corners. To put them where they are seen takes longer than one search, but then neither direction nor
-/// corners have to be turned at each. By vectors of so many lanes: the same answers by all, of a search without a
-/// branch.
+/// Up to `room` corners. Transforming them takes longer than one search, but then neither direction nor corners need to
+/// be rotated for each search. With any number of lanes, a branch-free search gives the same answers.
 class FewCorners {
  public:
   static constexpr std::size_t room = 32;
 
   Vec<3, double> operator[](std::size_t i) const { return {rows_[0][i], rows_[1][i], rows_[2][i]}; }
 
-  /// Turned, then shifted; every number as `rotation * corner + shift` is calculated.
+  /// Rotates, then translates; every number is calculated as `rotation * corner + shift`.
   template <std::size_t lanes, class T>
   [[gnu::always_inline]] void put(const CornerRows<3, T>& rows, const Mat<3, double>& rotation,
                                   const Vec<3, double>& shift) {
@@ -44,7 +43,7 @@ class FewCorners {
     }
   }
 
-  /// As they are seen from a point.
+  /// Corners relative to a point.
   template <std::size_t lanes, class T>
   [[gnu::always_inline]] void put(const CornerRows<3, T>& rows, const Vec<3, double>& origin) {
     count_ = rows.size();
@@ -58,11 +57,11 @@ class FewCorners {
     }
   }
 
-  /// How much lower than another corner the farthest may be, relative to its height.
+  /// How much lower than the farthest corner the result may be, relative to its height.
   static constexpr double farthest_error = lane_of_highest_error;
 
-  /// The place of the corner that is farthest in a direction, but for `farthest_error`; of more than eight the
-  /// farthest, of several the first. Along what is not finite any place below `room` in which something stands.
+  /// The index of the corner farthest in a direction, up to `farthest_error`; with more than eight corners exactly the
+  /// farthest, the first of several. Along a direction that is not finite, any valid index below `room`.
   template <std::size_t lanes>
   [[gnu::always_inline]] std::uint32_t farthest(const Vec<3, double>& direction) const {
     static constexpr std::array<double, 8> first = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -106,7 +105,7 @@ class FewCorners {
   }
 
   std::size_t count_ = 0;
-  std::size_t length_ = 0;  ///< A multiple of eight: behind the last corner stands the first.
+  std::size_t length_ = 0;  ///< A multiple of eight: padding repeats the first corner.
   alignas(64) std::array<std::array<double, room>, 3> rows_;
 };
 

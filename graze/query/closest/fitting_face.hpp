@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The face of a simplex that holds the point nearest to the origin, found where distances no longer tell it from the
-// others: beside the edge at which two faces meet nearly flat. simplex.hpp finds it everywhere else, and faster.
+// The face of a simplex that contains the point nearest to the origin, for cases where distances cannot distinguish it:
+// beside the edge at which two faces meet nearly flat. simplex.hpp finds it in all other cases, and faster.
 #pragma once
 
 #include <algorithm>
@@ -20,17 +20,17 @@ namespace graze::detail {
 template <Dim N>
 struct FittingFace {
   NearestOnSimplex<N> nearest;
-  Vec<N, double> toward = Vec<N, double>(0.0);  ///< As long as the way to that point, at right angles to the face.
+  Vec<N, double> toward = Vec<N, double>(0.0);  ///< As long as the vector to that point, perpendicular to the face.
   double misfit = std::numeric_limits<double>::infinity();  ///< See FittingFaceSearch.
 };
 
-/// Tries the faces with the last corner: a face is the nearest if the foot of the origin's perpendicular is in it, and
-/// no corner of the simplex is below the plane across that perpendicular. The misfit of a face is how far its foot is
-/// outside, or how far a corner is below, whichever is more; the face with the least one is taken.
+/// Tries the faces with the last corner: a face is the nearest if the projection of the origin is in it, and no corner
+/// of the simplex is below the plane through the projection perpendicular to it. The misfit of a face is how far its
+/// projection is outside, or how far a corner is below, whichever is more; the face with the least misfit is taken.
 ///
-/// Both are lengths that rounding changes by a few epsilon of the coordinates. A distance does not see them: of a foot
-/// that is outside by x at a height h it is larger by x^2 / 2h only. And a direction from the origin to a point is
-/// rounded by epsilon / h, while that at right angles to a triangle is not.
+/// Both are lengths that rounding changes by a few epsilon of the coordinates. Distances are less sensitive: for a
+/// projection that is outside by x at a height h, the distance is larger only by x^2 / 2h. And a direction from the
+/// origin to a point has an error of epsilon / h, while the normal of a triangle does not.
 template <Dim N>
 class FittingFaceSearch {
  public:
@@ -52,7 +52,7 @@ class FittingFaceSearch {
   }
 
  private:
-  /// The point of a face nearest to some other point, and how far that is away.
+  /// The point of a face nearest to some other point, and their distance.
   struct Place {
     Point point;
     double off;
@@ -65,7 +65,7 @@ class FittingFaceSearch {
     return {place, std::sqrt(dot(way, way))};
   }
 
-  /// How far the lowest corner is below the plane across a direction through a point.
+  /// How far the lowest corner is below the plane perpendicular to a direction through a point.
   double depth_below(const Point& direction, const Point& point) const {
     double deepest = 0;
     for (std::size_t i = 0; i < simplex_.size; ++i) {
@@ -74,7 +74,7 @@ class FittingFaceSearch {
     return deepest / std::sqrt(dot(direction, direction));
   }
 
-  /// A foot that is outside by no more than rounding is taken as it is, for it lies along the direction.
+  /// A projection that is outside by no more than rounding is used unchanged, because it is along the direction.
   template <std::size_t Count>
   void offer(const Point& closest, const Place& inside, const std::array<std::size_t, Count>& corners) {
     if (!(max_abs(closest) > 0)) return;

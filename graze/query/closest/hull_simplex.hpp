@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The point of a simplex in space nearest to the origin, and the shares that its corners have in it, quickly: only
-// faces that the origin is outside of are tried, and only those with the newest corner. A walk needs no more of it than
-// the way there, which takes no division. What rounding makes of that, whoever asks has to find out. SimplexSearch in
-// simplex.hpp tries all.
+// The point of a 3D simplex nearest to the origin, and its barycentric coordinates, fast: only faces that the origin is
+// outside of are tried, and only those with the newest corner. A step of GJK needs only the vector to it, which takes
+// no division. The caller must check for rounding errors. SimplexSearch in simplex.hpp tries all faces.
 #pragma once
 
 #include <array>
@@ -14,10 +13,10 @@
 
 namespace graze::detail {
 
-/// Up to four points, each in a place of its own.
+/// Up to four points, each at a fixed index.
 using HullSimplex = std::array<Vec<3, double>, 4>;
 
-/// Up to four places in a register: bytes that are written one by one and read at once have to be waited for.
+/// Up to four indices in a register: reading bytes together that were written one by one would stall.
 class HullPlaces {
  public:
   HullPlaces() = default;
@@ -33,8 +32,8 @@ class HullPlaces {
   std::uint32_t bytes_ = 0;
 };
 
-/// The face of a simplex that is nearest to the origin: its corners by their places, and the way from the origin to
-/// it. Of size 4 it is the whole, and the origin within.
+/// The face of a simplex that is nearest to the origin: the indices of its corners, and the vector from the origin to
+/// it. Size 4 means the whole simplex, with the origin inside.
 struct NearFace {
   Vec<3, double> toward = Vec<3, double>(0.0);  ///< The nearest point times any positive number.
   double height = 0;                            ///< Of the face along that: `toward` times the nearest point.
@@ -43,7 +42,7 @@ struct NearFace {
   std::uint32_t size = 0;
 };
 
-/// A corner of a simplex: in a register, since what was just written has to be waited for when it is read.
+/// A corner of a simplex, kept in a register, because reading it from memory right after writing would stall.
 struct PlacedCorner {
   std::uint32_t place;
   Vec<3, double> at;
@@ -54,7 +53,7 @@ inline NearFace near_corner(const PlacedCorner& p) {
   return {p.at, squared, squared, HullPlaces(p.place), 1};
 }
 
-/// Of a face of more corners, by one of these and its normal on the far side from the origin.
+/// The plane of a face with more corners, from one of these and its normal pointing away from the origin.
 inline NearFace near_plane(const Vec<3, double>& normal, const Vec<3, double>& corner) {
   const double height = dot(normal, corner);
   return {normal, height, height * (height / dot(normal, normal)), {}, 0};
@@ -72,7 +71,7 @@ inline NearFace near_edge(const PlacedCorner& p, const PlacedCorner& q) {
   return face;
 }
 
-/// How the point of a triangle's plane nearest to the origin lies in it: what its last two corners have of that point,
+/// The position of the origin's projection in a triangle's plane: the barycentric coordinates of its last two corners,
 /// both times `whole`.
 struct TriangleShares {
   Vec<3, double> normal;
@@ -94,7 +93,7 @@ struct TriangleShares {
   }
 };
 
-/// On the triangle of three corners, if nothing on the edge of p and q is nearer.
+/// On the triangle of three corners, unless a point on the edge of p and q is nearer.
 inline NearFace near_triangle(const PlacedCorner& newest, const PlacedCorner& p, const PlacedCorner& q) {
   const TriangleShares shares(newest.at, p.at, q.at);
   if (shares.of_p > 0 && shares.of_q > 0 && shares.of_p + shares.of_q < shares.whole) {
@@ -111,7 +110,8 @@ inline NearFace near_triangle(const PlacedCorner& newest, const PlacedCorner& p,
   return on_q.squared < on_p.squared ? on_q : on_p;
 }
 
-/// How the origin lies in a tetrahedron: what its last three corners have of it, all times `whole`.
+/// The position of the origin in a tetrahedron: the barycentric coordinates of its last three corners, all times
+/// `whole`.
 struct TetrahedronShares {
   std::array<double, 3> heights;
   double whole;
@@ -147,8 +147,8 @@ inline NearFace near_tetrahedron(const PlacedCorner& newest, const std::array<Pl
   return best;
 }
 
-/// Of the corners of a face with up to three and a newest one, without which there is nothing nearer. At an infinite
-/// distance if rounding leaves nothing.
+/// The nearest face among those with the newest corner and up to three others; no other can be nearer. Its distance is
+/// infinite if rounding leaves nothing.
 inline NearFace near_face(const HullSimplex& simplex, const PlacedCorner& newest, const NearFace& face) {
   const auto corner = [&simplex](std::uint32_t place) { return PlacedCorner{place, simplex[place]}; };
   switch (face.size) {
@@ -164,7 +164,7 @@ inline NearFace near_face(const HullSimplex& simplex, const PlacedCorner& newest
   }
 }
 
-/// What each corner of a near face has of its nearest point, in the order of its places; the sum is one.
+/// The barycentric coordinates of a near face's nearest point, in the order of its indices; their sum is one.
 inline std::array<double, 4> shares_of(const HullSimplex& simplex, const NearFace& face) {
   const auto corner = [&](std::size_t i) -> const Vec<3, double>& { return simplex[face.places[i]]; };
   switch (face.size) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The nearest points of two convex polytopes in space, each where it is or seen through a pose, for most pairs: those
-// that are clearly apart, and those that clearly overlap. GJK as in gjk.hpp, but with corners by their places, so that
-// a walk may begin where the last one ended and knows its end when it sees it, and with faces by hull_simplex.hpp. What
-// it answers is proved by a plane and two points, or by four corners; if that fails, nothing is said, and
-// convex.hpp is asked.
+// The nearest points of two 3D convex polytopes, with or without poses, for most pairs: those that are clearly apart,
+// and those that clearly overlap. GJK as in gjk.hpp, but with indexed corners, so that a run can start where the last
+// one ended and detects its end, and with faces by hull_simplex.hpp. Its answers are proved by a plane and two points,
+// or by four corners; if the proof fails, nothing is returned, and convex.hpp decides.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +30,7 @@
 
 namespace graze::detail {
 
-/// The largest coordinate of a hull, or more.
+/// An upper bound of the coordinates of a hull.
 template <class T>
 double size_of_hull(const Polytope<3, T>& hull) {
   return rows_of(hull).largest();
@@ -41,7 +40,7 @@ double size_of_hull(const Posed<Polytope<3, T>>& posed) {
   return rows_of(posed.shape).largest() + static_cast<double>(max_abs(posed.pose.position));
 }
 
-/// A polytope as it is seen from a point.
+/// A polytope relative to a point.
 template <class T>
 class StillHull {
  public:
@@ -58,9 +57,9 @@ class StillHull {
   [[gnu::always_inline]] void put_in(Few& corners) const {
     corners.template put<lanes>(rows_of(hull_), origin_);
   }
-  /// No coordinate that is calculated with is larger.
+  /// An upper bound of all coordinates used.
   double reach() const { return rows_of(hull_).largest() + max_abs(origin_); }
-  /// How much lower than another corner the farthest may be, relative to that.
+  /// The relative error of the height of the farthest corner.
   static constexpr double search_error = 0;
 
  private:
@@ -68,7 +67,7 @@ class StillHull {
   Vec<3, double> origin_;
 };
 
-/// The same of one that is seen through a pose.
+/// The same for a polytope with a pose.
 template <class T>
 class PosedHull {
  public:
@@ -99,7 +98,7 @@ class PosedHull {
 };
 
 #ifdef GRAZE_HAS_LANES
-/// One of them with its corners where they are seen.
+/// One of them with its transformed corners.
 template <class Seen>
 class FewHull {
  public:
@@ -108,9 +107,10 @@ class FewHull {
   std::size_t size() const { return seen_.size(); }
   Vec<3, double> middle() const { return seen_.middle(); }
   double reach() const { return seen_.reach(); }
-  static constexpr double search_error = 2 * FewCorners::farthest_error;  // a corner is up to 1.8 of it from zero
+  // a corner's magnitude is up to 1.8 times that
+  static constexpr double search_error = 2 * FewCorners::farthest_error;
   Vec<3, double> corner(std::uint32_t i) const { return corners_[i]; }
-  /// Before any corner is asked for.
+  /// Must be called before any corner is requested.
   template <std::size_t lanes>
   [[gnu::always_inline]] void get_ready() {
     seen_.template put_in<lanes>(corners_);
@@ -143,22 +143,22 @@ PosedHull<T> local_hull(const Posed<Polytope<3, T>>& posed, const Vec<3, double>
   return {posed, origin};
 }
 
-/// What has corners by their places.
+/// Types with indexed corners.
 template <class S>
 concept HullInSpace = requires(const S& shape) {
   origin_of(shape);
 };
 
-/// What is known of two hulls, in the order in which they are walked between.
+/// Cached corners of two hulls, in the order of the search.
 struct KnownCorners {
-  SimplexCache<3>* cache;  ///< None if nothing is to be remembered.
-  bool is_exchanged;       ///< The cache names corners of the second hull first.
+  SimplexCache<3>* cache;  ///< None if nothing is to be cached.
+  bool is_exchanged;       ///< The cache has corners of the second hull first.
 
   std::array<std::uint32_t, 4>& on_a() const { return is_exchanged ? cache->corners_b : cache->corners_a; }
   std::array<std::uint32_t, 4>& on_b() const { return is_exchanged ? cache->corners_a : cache->corners_b; }
 };
 
-/// The walk for two hulls that are seen from one point, `far` from zero. They get ready for it.
+/// The search for two hulls relative to one point, `far` from zero. Prepares them.
 template <class A, class B>
 class HullWalk {
  public:
@@ -167,7 +167,7 @@ class HullWalk {
         b_(b),
         resolution_((tolerance::convex + A::search_error + B::search_error) * (far + std::max(a.reach(), b.reach()))) {}
 
-  /// From what is known of the pair, which is then what this has found, if it is to be remembered.
+  /// Starts from the cached corners, and caches the result if requested.
   void run(const KnownCorners& known) {
 #ifdef GRAZE_HAS_WIDER_LANES
     if (__builtin_cpu_supports("avx512f")) return run_by_eight(known);
@@ -176,8 +176,8 @@ class HullWalk {
     run_by_two(known);
   }
 
-  // The same by so many numbers at once, for processors that can. With all that is called, so that a step's direction,
-  // corners and face stay in registers.
+  // The same with a given number of lanes, for processors that support it. Everything called is inlined, so that a
+  // step's direction, corners and face stay in registers.
 
   [[gnu::flatten]] void run_by_two(const KnownCorners& known) { run_by<2>(known); }
 #ifdef GRAZE_HAS_WIDER_LANES
@@ -185,13 +185,13 @@ class HullWalk {
   [[gnu::target("avx512f"), gnu::flatten]] void run_by_eight(const KnownCorners& known) { run_by<8>(known); }
 #endif
 
-  /// Apart, and how far is proved.
+  /// Apart, with a proved distance.
   bool is_apart() const {
     return lower_ > clearly * resolution_ &&
            distance_ - lower_ <= tolerance::gjk_relative_gap * distance_ + resolution_;
   }
 
-  /// The origin is deeper in four corners than rounding could move it.
+  /// The origin is deeper inside four corners than rounding could move it.
   bool is_overlapping() const {
     if (face_.size < 4) return false;
     const auto edge = [this](std::size_t i, std::size_t from) {
@@ -207,14 +207,14 @@ class HullWalk {
     return true;
   }
 
-  /// Where a lies, and b.
+  /// A point of a, and one of b.
   struct Points {
     Vec<3, double> on_a = Vec<3, double>(0.0);
     Vec<3, double> on_b = Vec<3, double>(0.0);
   };
   Points points() const { return points_of(shares_of(differences_, face_)); }
 
-  /// The same with care: of long thin faces the shares above are off by more than their nearest point.
+  /// The same with care: for long thin faces the coordinates above are off by more than their nearest point.
   Points careful_points() const {
     Simplex<3> simplex;
     for (std::size_t i = 0; i < face_.size; ++i) simplex.push(differences_[face_.places[i]]);
@@ -240,7 +240,7 @@ class HullWalk {
 
  private:
   static constexpr int step_limit = 64;
-  static constexpr double clearly = 16;  ///< So much farther than rounding that no other way can see it otherwise.
+  static constexpr double clearly = 16;  ///< So much farther than rounding that no other method can disagree.
 
   template <std::size_t lanes>
   [[gnu::always_inline]] void run_by(const KnownCorners& known) {
@@ -264,13 +264,13 @@ class HullWalk {
     if (is_nearest) lower_ = height_ * scale / distance_;
   }
 
-  /// Of both hulls, by their places.
+  /// Of both hulls, as indices.
   struct Corner {
     std::uint32_t on_a;
     std::uint32_t on_b;
   };
 
-  /// Where the difference is that is put there.
+  /// The difference that is stored there.
   Vec<3, double> put(std::uint32_t place, const Corner& corner) {
     corners_[place] = corner;
     return differences_[place] = a_.corner(corner.on_a) - b_.corner(corner.on_b);
@@ -310,14 +310,14 @@ class HullWalk {
     return false;
   }
 
-  /// A place that the face, which has up to three corners, does not need.
+  /// An index that the face, which has up to three corners, does not use.
   static std::uint32_t free_place(const NearFace& face) {
     std::uint32_t taken = 0;
     for (std::size_t i = 0; i < face.size; ++i) taken |= 1U << face.places[i];
     return static_cast<std::uint32_t>(std::countr_one(taken));
   }
 
-  /// False when there is nothing nearer.
+  /// False if nothing is nearer.
   template <std::size_t lanes>
   [[gnu::always_inline]] bool go_on(NearFace& face) {
     const Corner next = support<lanes>(face.toward);
@@ -333,9 +333,9 @@ class HullWalk {
     return true;
   }
 
-  /// Where no nearer face can be told, but the plane across this one does not prove its distance: goes on to the one
-  /// that fits, of this face's corners and the newest. False if no such plane is needed, or none found, or the distance
-  /// is not clear at all.
+  /// If no nearer face is found, but the plane of this one does not prove its distance: switches to the fitting face
+  /// among those of this face's corners and the newest. False if no such plane is needed, or none is found, or the
+  /// distance is not clear at all.
   [[gnu::noinline]] bool turn(NearFace& face, std::uint32_t newest) const {
     const double distance = std::sqrt(least_squared_);
     const bool is_proved = !(face.height - height_ > resolution_ / 2 * std::sqrt(dot(face.toward, face.toward)));
@@ -350,7 +350,7 @@ class HullWalk {
     return true;
   }
 
-  /// By the places of its corners.
+  /// Converts to the indices of its corners.
   NearFace placed(const FittingFace<3>& fitting, const NearFace& before, std::uint32_t newest) const {
     const Simplex<3>& corners = fitting.nearest.face;
     std::uint32_t places[4] = {newest, newest, newest, newest};
@@ -371,20 +371,20 @@ class HullWalk {
   A& a_;
   B& b_;
   double resolution_;
-  double height_ = 0;  ///< Of what is farthest against the way to the face, along that.
+  double height_ = 0;  ///< The height of the farthest corner opposite the vector to the face, along that vector.
   Vec<3, double> separation_ = Vec<3, double>(0.0);
   double distance_ = 0;
   double least_squared_ = 0;  ///< Of all faces so far.
-  double lower_ = 0;          ///< Proved by a plane across that way, when the walk has ended there.
+  double lower_ = 0;          ///< Proved by the final supporting plane.
   std::array<Corner, 4> corners_;
   HullSimplex differences_;
   NearFace face_;
 };
 
-/// How far from the normal the nearest points may lie, and from their distance, in parts of what cannot be resolved.
+/// How far the nearest points may be off the normal and their distance, in units of the resolution.
 inline constexpr double most_beside = 0.25;
 
-/// As `find_proximity_of_hulls`, of hulls that are seen from `origin`.
+/// As `find_proximity_of_hulls`, for hulls relative to `origin`.
 template <class A, class B>
 bool find_between(A& a, B& b, const Vec<3, double>& origin, const KnownCorners& known, Proximity<3, double>& result) {
   HullWalk walk(a, b, max_abs(origin));
@@ -407,7 +407,7 @@ bool find_between(A& a, B& b, const Vec<3, double>& origin, const KnownCorners& 
   return true;
 }
 
-/// False for pairs that this leaves open. The walk begins at a, whatever the order of what is found and remembered is.
+/// False for pairs that this leaves open. The search starts at a, whatever the order of the results and the cache.
 template <HullInSpace A, HullInSpace B>
 bool find_proximity_of_hulls(const A& a, const B& b, const KnownCorners& known, Proximity<3, double>& result) {
   const Vec<3, double> origin = origin_of(a);

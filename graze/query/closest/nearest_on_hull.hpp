@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The point of a convex shape nearest to one outside, found on the shape's own scale. GJK on differences (gjk.hpp)
-// encloses the distance, but the differences of a small shape from a point far away agree in most of their digits: what
-// tells its corners apart is rounded off. Here corners are seen from one of them, and the point from there.
+// The point of a convex shape nearest to one outside, calculated at the shape's own scale. GJK on differences (gjk.hpp)
+// bounds the distance, but the differences of a small shape from a distant point agree in most of their digits, so the
+// distinction between its corners is lost. Here corners are relative to one of them, and so is the point.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace graze::detail {
 
-/// A point of the hull of corners, and the way from it to the target.
+/// A point of the hull of corners, and the vector from it to the target.
 template <Dim N>
 struct NearPlace {
   Vec<N, double> place = Vec<N, double>(0.0);
@@ -25,8 +25,9 @@ struct NearPlace {
   Simplex<N> face;
 };
 
-/// The place on a simplex nearest to a target outside of it. Tries every corner, edge and triangle; which of two places
-/// is nearer, the vector between them says, not their distances, whose difference would be rounded off.
+/// The point of a simplex nearest to a target outside of it. Tries every corner, edge and triangle; which of two points
+/// is nearer is decided by the vector between them, because the difference of their distances would be lost to
+/// rounding.
 template <Dim N>
 class NearPlaceSearch {
  public:
@@ -48,7 +49,7 @@ class NearPlaceSearch {
     return best_;
   }
 
-  /// How much nearer a place is to the target than another: half the difference of the squared distances.
+  /// How much nearer a point is to the target than another: half the difference of the squared distances.
   static double nearer_by(const Point& place, const Point& off, const NearPlace<N>& other) {
     return dot(place - other.place, (off + other.off) * 0.5);
   }
@@ -90,14 +91,14 @@ class NearPlaceSearch {
   NearPlace<N> best_;
 };
 
-/// The support point, seen from a place near the shape.
+/// The support point, relative to a point near the shape.
 template <Convex S>
 Vec<dimension_of<S>, double> support_from(const S& shape, const Vec<dimension_of<S>, double>& from,
                                           const Vec<dimension_of<S>, double>& direction) {
   return wide_support(shape, direction) - from;
 }
 
-/// Corners are compared by the vector between them: it may be short beside them.
+/// Corners are compared by the vector between them, which may be much shorter than they are.
 template <Dim N, class T>
 Vec<N, double> support_from(const Polytope<N, T>& polytope, const Vec<N, double>& from,
                             const Vec<N, double>& direction) {
@@ -109,7 +110,7 @@ Vec<N, double> support_from(const Polytope<N, T>& polytope, const Vec<N, double>
   return farthest;
 }
 
-/// The corner that lies at a place, without the rounding of the way there and back.
+/// The corner at a position, without rounding by the conversions.
 template <Convex S>
 Vec<dimension_of<S>, double> as_stored(const S&, const Vec<dimension_of<S>, double>& from,
                                        const Vec<dimension_of<S>, double>& place) {
@@ -122,15 +123,15 @@ Vec<N, double> as_stored(const Polytope<N, T>& polytope, const Vec<N, double>& f
   return wide<N, T>(*std::find_if(polytope.vertices().begin(), polytope.vertices().end(), is_there));
 }
 
-/// A point of a shape, and the way from it to the one asked about.
+/// A point of a shape, and the vector from it to the query point.
 template <Dim N>
 struct NearestOnHull {
   Vec<N, double> point;
   Vec<N, double> off;
 };
 
-/// The nearest point for one outside, or on the surface up to rounding. Goes on until no support point
-/// brings it nearer: on a polytope, until the right face is found. A corner is answered as it is stored.
+/// The nearest point for one outside, or on the surface up to rounding. Continues until no support point is nearer: for
+/// a polytope, until the right face is found. A corner is returned as stored.
 template <Convex S>
 NearestOnHull<dimension_of<S>> nearest_on_hull(const S& shape, const Vec<dimension_of<S>, double>& p) {
   constexpr Dim N = dimension_of<S>;

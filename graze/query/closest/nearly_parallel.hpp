@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The nearest points of two segments in space that are nearly parallel. Over the length of such segments the distance
-// hardly changes, so that no comparison of distances finds the place where it is least: it is calculated, in twice the
-// precision of double.
+// The nearest points of two nearly parallel 3D segments. The distance hardly changes along such segments, so comparing
+// distances cannot find its minimum: it is calculated in twice the precision of double.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +26,8 @@ inline TwofoldVec twofold_difference(const Vec<3, double>& b, const Vec<3, doubl
   return {two_sum(b.x, -a.x), two_sum(b.y, -a.y), two_sum(b.z, -a.z)};
 }
 
-/// a x b, of a length of about 1 and with errors around epsilon squared divided by the sine: the factor between is a
-/// power of two. Zero if the product is.
+/// a x b, scaled to a length of about 1, with errors around epsilon squared divided by the sine: the factor is a power
+/// of two. Zero if the product is.
 inline TwofoldVec twofold_normal(const TwofoldVec& a, const TwofoldVec& b) {
   TwofoldVec normal{};
   double size = 0;
@@ -49,7 +48,7 @@ inline TwofoldVec twofold_normal(const TwofoldVec& a, const TwofoldVec& b) {
   return normal;
 }
 
-/// Whether the angle between two edges is so small, or so near a straight one, that distances lose too many digits.
+/// Whether the angle between two edges is so close to 0 or 180 degrees that distances lose too many digits.
 inline bool are_nearly_parallel(const Vec<3, double>& a, const Vec<3, double>& b) {
   constexpr double most_sine = 1.0 / 8;
   const Vec<3, double> normal = cross(a, b);
@@ -68,10 +67,10 @@ inline std::optional<double> place_of_perpendicular(const Segment<3, double>& a,
   return twofold_determinant({twofold_difference(b.start, a.start), v, n}) / whole;
 }
 
-/// The nearest points of two segments that are apart, seen from `origin`: none if they are parallel, or not nearly. The
-/// nearest point of a's line, cut off at a's ends, has the nearest point of b's line opposite; if that has to be cut
-/// off too, b's end is nearest, with its own foot on a (Ericson, Real-Time Collision Detection, 5.1.9). Every step is
-/// as exact as its points, where that of the perpendicular alone would not be.
+/// The nearest points of two separate segments, relative to `origin`: none if they are parallel, or not nearly. The
+/// nearest point of a's line, clamped to a, has the nearest point of b's line opposite; if that is clamped too, b's end
+/// is nearest, with its own projection to a (Ericson, Real-Time Collision Detection, 5.1.9). Every step is as accurate
+/// as its points, unlike that of the perpendicular alone.
 inline std::optional<ClosestPair<3>> closest_of_nearly_parallel(const Segment<3, double>& a,
                                                                 const Segment<3, double>& b,
                                                                 const Vec<3, double>& origin) {

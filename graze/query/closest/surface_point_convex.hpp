@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// surface_point.hpp for convex shapes known by their support points alone: GJK
-// from outside, EPA from inside.
+// surface_point.hpp for convex shapes defined by their support functions alone: GJK from outside, EPA from inside.
 #pragma once
 
 #include <cmath>
@@ -17,7 +16,7 @@
 
 namespace graze::detail {
 
-/// A point of the shape, an inner one if it can be had: the mean of what lies farthest along the axes.
+/// A point of the shape, inside if possible: the mean of the extreme points along the axes.
 template <Convex S>
 Vec<dimension_of<S>, double> middle_of(const S& shape) {
   constexpr Dim N = dimension_of<S>;
@@ -26,13 +25,13 @@ Vec<dimension_of<S>, double> middle_of(const S& shape) {
   return sum / (2.0 * N);
 }
 
-/// An inner point unless the polytope is flat.
+/// A point inside unless the polytope is flat.
 template <Dim N, class T>
 Vec<N, double> middle_of(const Polytope<N, T>& polytope) {
   return middle_of<N, T>(polytope.vertices());
 }
 
-/// The largest coordinate that GJK has met, or less by a few powers of two.
+/// The largest coordinate in GJK's run, or less by a few powers of two.
 template <Dim N>
 double measure_of(const GjkResult<N>& found) {
   return found.resolution / tolerance::convex;
@@ -45,7 +44,7 @@ SurfacePoint<dimension_of<S>> surface_point_outside(const S& shape, const Vec<di
   return {nearest.point, middle_of(shape), std::sqrt(dot(nearest.off, nearest.off)), measure};
 }
 
-/// From inside: where the least translation that would take p out leads to.
+/// From inside: the end of the minimum translation that moves p out.
 template <Convex S>
 SurfacePoint<dimension_of<S>> surface_point(const S& shape, const Vec<dimension_of<S>, double>& p) {
   constexpr Dim N = dimension_of<S>;

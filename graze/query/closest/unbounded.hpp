@@ -21,7 +21,7 @@
 
 namespace graze::detail {
 
-/// Two shapes at a point of both.
+/// Two shapes with a common point.
 template <Dim N>
 Proximity<N, double> meeting_at(const Vec<N, double>& point, Relation relation) {
   return {0, point, point, Vec<N, double>(0.0), relation, Status::converged, 0};
@@ -29,7 +29,7 @@ Proximity<N, double> meeting_at(const Vec<N, double>& point, Relation relation) 
 
 // ---- A plane, or the plane that bounds a half-space, and the core of a bounded shape
 
-/// A point of a core, and how high over a plane it is.
+/// A point of a core, and its height above a plane.
 template <Dim N>
 struct CorePoint {
   Vec<N, double> point;
@@ -51,7 +51,7 @@ ExtremePoints<N> extremes_over(const Plane<N, T>& plane, const Core& core) {
   return {{lowest, height_over(plane, lowest) / length}, {highest, height_over(plane, highest) / length}};
 }
 
-/// The corners of an oriented box are rounded: its center is not.
+/// The corners of an oriented box are rounded, but its center is not.
 template <Dim N, class T>
 ExtremePoints<N> extremes_over(const Plane<N, T>& plane, const Obb<N, T>& box) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
@@ -63,7 +63,7 @@ ExtremePoints<N> extremes_over(const Plane<N, T>& plane, const Obb<N, T>& box) {
   return {{support(box, -normal), (middle - reach) / length}, {support(box, normal), (middle + reach) / length}};
 }
 
-/// How far heights may be off: relative to the largest numbers that they are made of.
+/// The error of heights, relative to the largest numbers that they are calculated from.
 template <Dim N, class T>
 double error_of_heights(const Plane<N, T>& plane, const Vec<N, double>& largest, double relative) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
@@ -77,7 +77,7 @@ double error_of_extremes(const Plane<N, T>& plane, const ExtremePoints<N>& extre
   return error_of_heights(plane, largest, support_error<S>) + tolerance::rounding * radius;
 }
 
-/// The plane is a, and b a core without a point on it, widened by a radius, which may reach it.
+/// The plane is a, and b a core that does not meet it, inflated by a radius, which may.
 template <Dim N, class T>
 Proximity<N, double> beside_plane(const Plane<N, T>& plane, const CorePoint<N>& nearest, double radius,
                                   Relation relation) {
@@ -92,7 +92,7 @@ Proximity<N, double> beside_plane(const Plane<N, T>& plane, const CorePoint<N>& 
   return result;
 }
 
-/// The point between the lowest and the highest of a core that is on the plane.
+/// The point of the plane between the lowest and the highest point of a core.
 template <Dim N>
 Vec<N, double> crossing_between(const CorePoint<N>& lowest, const CorePoint<N>& highest) {
   const double whole = highest.height - lowest.height;
@@ -125,7 +125,7 @@ Proximity<N, double> proximity_to_half_space(const HalfSpace<N, T>& solid, const
 
 // ---- Rays and planes
 
-/// Where a ray crosses a plane; its origin if it runs away from it, or along it.
+/// Where a ray crosses a plane; its origin if it runs away from the plane or parallel to it.
 template <Dim N, class T>
 Vec<N, double> crossing_of(const Ray<N, T>& ray, const Plane<N, T>& plane) {
   const Vec<N, double> origin = wide<N, T>(ray.origin);
@@ -154,7 +154,7 @@ Proximity<N, double> proximity_of_ray(const Ray<N, T>& ray, const HalfSpace<N, T
   return result;
 }
 
-// ---- Planes and half-spaces among themselves
+// ---- Pairs of planes and half-spaces
 
 /// A plane with a normal of length 1, in space.
 struct UnitPlane {
@@ -170,9 +170,9 @@ UnitPlane lifted_plane(const Plane<N, T>& plane) {
 
 inline Vec<3, double> closest_to_origin(const UnitPlane& plane) { return plane.normal * plane.offset; }
 
-/// From the first plane's point nearest to the origin, along the plane and at right angles to n = m x k, where the
-/// planes have the normals m and k: the second plane is met after its height over that point, over n^2, times n x m.
-/// However small the angle, the point is on both planes. Of parallel ones, it is the first one's.
+/// From the first plane's point nearest to the origin, along the plane and perpendicular to n = m x k, where the planes
+/// have the normals m and k: the second plane is reached after its height above that point, divided by n^2, times n x
+/// m. However small the angle, the point is on both planes. For parallel ones, it is on the first one.
 inline Vec<3, double> crossing_of(const UnitPlane& first, const UnitPlane& second) {
   const Vec<3, double> n = accurate_cross(first.normal, second.normal);
   const double whole = dot(n, n);
@@ -190,7 +190,7 @@ inline constexpr bool is_plane = false;
 template <Dim N, class T>
 inline constexpr bool is_plane<Plane<N, T>> = true;
 
-/// A point of a's boundary in b if that is near the origin, or the like with b's; else where the boundaries cross.
+/// A point of a's boundary in b near the origin, or vice versa; otherwise where the boundaries cross.
 template <class A, class B>
 Vec<3, double> common_point_of_boundaries(const UnitPlane& a, const UnitPlane& b, bool are_parallel) {
   const Vec<3, double> on_a = closest_to_origin(a);
@@ -209,7 +209,7 @@ auto boundary_of(const Level& level) {
   }
 }
 
-/// Two of planes and half-spaces: they are apart only when they are parallel.
+/// Two planes or half-spaces: they are apart only if they are parallel.
 template <class A, class B>
 Proximity<dimension_of<A>, double> proximity_of_half_spaces(const A& a, const B& b, Relation relation) {
   constexpr Dim N = dimension_of<A>;
@@ -232,15 +232,16 @@ Proximity<dimension_of<A>, double> proximity_of_half_spaces(const A& a, const B&
   return result;
 }
 
-// ---- Rays among themselves
+// ---- Pairs of rays
 
 template <Dim N>
 ClosestOnCore<3> lifted(const ClosestOnCore<N>& closest) {
   return {lifted(closest.point), lifted(closest.off)};
 }
 
-/// Seen from the origin of a. The nearest of the feet from either origin and of the feet of the lines' perpendicular,
-/// which for rays o + s d and p + t e, with w = p - o and n = d x e, are at s n^2 = (w x e) . n, t n^2 = (w x d) . n.
+/// Relative to the origin of a. The nearest pair among the projections of both origins and the ends of the lines'
+/// common perpendicular, which for rays o + s d and p + t e, with w = p - o and n = d x e, are at s n^2 = (w x e) . n,
+/// t n^2 = (w x d) . n.
 template <Dim N, class T>
 ClosestPair<3> closest_of_rays(const Ray<N, T>& a, const Ray<N, T>& b) {
   const Vec<3, double> d = direction_of(a);
@@ -253,7 +254,7 @@ ClosestPair<3> closest_of_rays(const Ray<N, T>& a, const Ray<N, T>& b) {
   const Vec<3, double> n = accurate_cross(d, e);
   const double whole = dot(n, n);
   const double lengths_squared = dot(d, d) * dot(e, e);
-  if (!(whole > tolerance::rounding * tolerance::rounding * lengths_squared)) return best;  // parallel, as relation is
+  if (!(whole > tolerance::rounding * tolerance::rounding * lengths_squared)) return best;  // parallel, as in relation
   const double s = dot(accurate_cross(w, e), n) / whole;
   const double t = dot(accurate_cross(w, d), n) / whole;
   if (s > 0 && t > 0) best.offer({d * s, w + e * t, n * (dot(w, n) / whole)});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two boxes of any kind, of which at least one is oriented: parting_axis.hpp with what boxes make quicker, and the
-// points of their contact from the faces and edges that the axis belongs to. Include contact.hpp.
+// Two boxes of any kind, at least one of them oriented: parting_axis.hpp with shortcuts for boxes, and the contact
+// points from the faces and edges that the axis belongs to. Include contact.hpp.
 #pragma once
 
 #include <algorithm>
@@ -25,13 +25,13 @@
 
 namespace graze::detail {
 
-/// A box as a search for an axis wants it.
+/// A box in the form of the axis search.
 template <Dim N>
 struct BoxSides {
   BoxFrame<N> frame;
   Mat<N, double> directions;  ///< Of the edges, of length about 1.
 
-  /// Of length 1, of the faces across an edge.
+  /// The unit normal of the faces perpendicular to an edge.
   Vec<N, double> normal(Dim i) const {
     const Vec<N, double> normal = adjoint_column(directions, i);
     return normal * (1 / std::sqrt(dot(normal, normal)));  // about 1
@@ -49,15 +49,15 @@ BoxSides<N> sides_of(const Obb<N, double>& box) {
 }
 
 /// Some of the axes of two boxes, as bits in the order in which they are tried: the faces of the first, those of the
-/// second, and in space the edges, those of the first edge of the first box before others.
+/// second, and in 3D the pairs of edges, those of the first edge of the first box before others.
 using BoxesAxes = unsigned;
 template <Dim N>
 inline constexpr BoxesAxes all_boxes_axes = N == 2 ? 0xf : 0x7fff;
 
-/// Two axes are one if the angle between them is no more than this for certain.
+/// Two axes are the same if the angle between them is certainly no more than this.
 inline constexpr double same_axis = 3 * tolerance::rounding;
 
-/// How far three axes are from orthonormal, as orthonormal_error.
+/// The orthonormality error of three axes, as orthonormal_error.
 template <class Axes>
 double orthonormality_error_of_axes(const Axes& axes) {
   double orthonormality_error = 0;
@@ -68,11 +68,11 @@ double orthonormality_error_of_axes(const Axes& axes) {
   return orthonormality_error;
 }
 
-/// Axes of two boxes in space that are a face's normal once more, or across parallel edges: a box on a box has six of
-/// them. With unit edges at right angles, b's edge j lies in a's plane across k if their cosine c is zero, and then a's
-/// edge i x b's edge j is the normal across k; an angle of c divided by the sine of the two edges is left, and what the
-/// edges are off from right angles themselves counts as c does. Of parallel edges both such cosines are zero: an axis
-/// across them is between normals of faces, and not wider than these by more than the angle.
+/// The axes of two 3D boxes that repeat a face's normal, or are across parallel edges: stacked boxes have six of them.
+/// With perpendicular unit edges, b's edge j is in a's plane perpendicular to k if their cosine c is zero, and then a's
+/// edge i x b's edge j is the normal perpendicular to k; otherwise an angle of c divided by the sine of the two edges
+/// remains, and deviations of the edges from right angles count as c does. For parallel edges both such cosines are
+/// zero: an axis across them is between normals of faces, and not wider than these by more than the angle.
 template <class Axes>
 BoxesAxes repeated_axes(const Axes& a, const Axes& b) {
   double cosines[3][3];
@@ -83,7 +83,7 @@ BoxesAxes repeated_axes(const Axes& a, const Axes& b) {
       least = std::min(least, cosines[j][i]);
     }
   }
-  if (least > 2 * same_axis) return 0;  // as of nearly all axes that were rounded to float
+  if (least > 2 * same_axis) return 0;  // true for nearly all axes that were rounded to float
   const double orthonormality_error = 1.5 * std::max(orthonormality_error_of_axes(a), orthonormality_error_of_axes(b));
   BoxesAxes result = 0;
   for (Dim j = 0; j < 3; ++j) {
@@ -100,15 +100,15 @@ BoxesAxes repeated_axes(const Axes& a, const Axes& b) {
   return result;
 }
 
-/// Without those: the gaps along them are as wide as that along the face's normal, up to same_axis times the size. All
-/// if nothing else was left.
+/// Removes those: the gaps along them are as wide as that along the face's normal, up to same_axis times the size.
+/// Returns all if nothing else is left.
 inline BoxesAxes distinct_axes(BoxesAxes candidates, BoxesAxes repeated) {
   const BoxesAxes left = candidates & ~repeated;
   return left != 0 ? left : candidates;
 }
 
-/// How much deeper two boxes may be, by their size, than the depth that was found: the gaps are off by a rounding, an
-/// axis is preferred to one that is wider by no more than that, and one that is a face's normal once more is not tried.
+/// How much deeper two boxes may be than the depth found, relative to their size: gaps have rounding errors, an axis is
+/// preferred to one that is wider by no more than that, and repeated axes are not tried.
 inline constexpr double boxes_error = 2 * tolerance::rounding + same_axis;
 
 /// The axis, and what it is the normal of: the face of one box, or two edges.
@@ -116,22 +116,22 @@ template <Dim N>
 struct BoxesAxis {
   PartingAxis<N> axis;
   bool is_of_b = false;
-  Dim face = 0;  ///< If it is one: across which of the box' axes.
+  Dim face = 0;  ///< If it is one: which of the box's axes it is perpendicular to.
   std::optional<std::array<Dim, 2>> edges;
 };
 
-/// 1 or -1, and 1 for zero of either sign; without a branch, which would be guessed wrong every other time.
+/// 1 or -1, and 1 for zero of either sign; branch-free, because a branch would be mispredicted half of the time.
 inline double sign_of(double number) { return std::copysign(1.0, number + 0.0); }
 
-/// A face of a box reaches as far as its own half edge; an axis across an edge leaves that edge out. Pairs of edges are
-/// compared by squares: the root is taken of the winner alone.
+/// The extent of a box along a face's normal is its own half extent; an axis across an edge omits that edge. Pairs of
+/// edges are compared by squares: only the winner needs a square root.
 template <Dim N>
 class BoxesSearch {
  public:
   BoxesSearch(const BoxSides<N>& a, const BoxSides<N>& b, double size)
       : a_(a), b_(b), between_(b.frame.center - a.frame.center), margin_(tolerance::rounding * size) {}
 
-  /// Of axes that are known to be wider than all others, by more than rounding, these alone need be tried.
+  /// `candidates` must include all axes except those known to be wider by more than rounding.
   BoxesAxis<N> run(BoxesAxes candidates = all_boxes_axes<N>) {
     if constexpr (N == 3) candidates = distinct_axes(candidates, repeated_axes(a_.directions, b_.directions));
     for (; candidates != 0; candidates &= candidates - 1) {
@@ -167,7 +167,7 @@ class BoxesSearch {
     if (!(squared > 0)) return;
     const double reach = reach_without(a_.frame, i, across_both) + reach_without(b_.frame, j, across_both);
     const double ahead = dot(across_both, between_);
-    const double gap = std::fabs(ahead) - reach;  // times the axis' length
+    const double gap = std::fabs(ahead) - reach;  // times the axis's length
     const double least = best_.axis.gap + margin_;
     const bool is_better =
         gap >= 0 ? least < 0 || gap * gap > least * least * squared : least < 0 && gap * gap < least * least * squared;
@@ -197,7 +197,7 @@ inline Segment<3, double> farthest_edge(const BoxFrame<3>& box, Dim axis, const 
   return {middle - box.half_edges[axis], middle + box.half_edges[axis]};
 }
 
-/// Where the lines of the two edges are nearest; none of edges without length.
+/// The nearest points of the lines of the two edges; none for edges of length zero.
 inline std::optional<SurfacePair<3>> pair_on_edges(const BoxFrame<3>& a, const BoxFrame<3>& b,
                                                    const BoxesAxis<3>& found) {
   const Segment<3, double> edge_a = farthest_edge(a, (*found.edges)[0], found.axis.normal);
@@ -217,7 +217,7 @@ double size_of_box(const BoxFrame<N>& box) {
   return sum_abs(reach);
 }
 
-/// The penetration of two boxes, seen from near the pair, but for its points.
+/// The penetration of two boxes, relative to a point near the pair, without its points.
 template <Dim N>
 struct BoxesContact {
   BoxesAxis<N> axis;
@@ -242,7 +242,7 @@ BoxesContact<dimension_of<A>> contact_of_boxes(const A& a, const B& b) {
   return contact_of_sides(sides_of(a), sides_of(b));
 }
 
-/// The deepest of the points that lie over the face that the axis is normal to; the first of several. None over a side
+/// The deepest of the points over the face that the axis is the normal of; the first of several. None for a side
 /// without length or width.
 template <class A, class B>
 std::optional<SurfacePair<dimension_of<A>>> deepest_on_face(const A& a, const B& b,
@@ -264,7 +264,7 @@ std::optional<SurfacePair<dimension_of<A>>> deepest_on_face(const A& a, const B&
   return pairs[deepest];
 }
 
-/// Where the boxes touch once b has been moved out of a.
+/// Where the boxes touch after b has been moved out of a.
 template <class A, class B>
 SurfacePair<dimension_of<A>> touching_pair(const A& a, const B& b, const BoxesContact<dimension_of<A>>& contact) {
   constexpr Dim N = dimension_of<A>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The depth of any two convex shapes, from nothing but their support functions: GJK where the cores are apart, EPA
-// where they meet. Include contact.hpp.
+// The depth of any two convex shapes, from their support functions alone: GJK if the cores are apart, EPA if they
+// overlap. Include contact.hpp.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@
 
 namespace graze::detail {
 
-/// A convex shape somewhere else.
+/// A translated convex shape.
 template <Convex S>
 struct Shifted {
   const S& shape;
@@ -39,11 +39,11 @@ Vec<dimension_of<S>, double> support(const Shifted<S>& shifted, const Vec<dimens
   return wide_support(shifted.shape, direction) + shifted.way;
 }
 
-/// It is as inaccurate as ever.
+/// Its error is unchanged.
 template <Convex S>
 inline constexpr double support_error<Shifted<S>> = support_error<S>;
 
-/// Where two cores touch once b has been moved out of a.
+/// Where two cores touch after b has been moved out of a.
 template <Convex A, Convex B>
 ClosestPair<dimension_of<A>> points_after(const A& a, const B& b, const Vec<dimension_of<A>, double>& way) {
   ClosestPair<dimension_of<A>> pair = closest_of_convex(a, Shifted<B>{b, way}).closest;
@@ -51,8 +51,8 @@ ClosestPair<dimension_of<A>> points_after(const A& a, const B& b, const Vec<dime
   return pair;
 }
 
-/// Cores that are apart by more than GJK's resolution. Support points tell how much less than their distance is left
-/// along the vector between the nearest points.
+/// Cores that are apart by more than GJK's resolution. Support points tell how much the gap along the vector between
+/// the nearest points falls short of their distance.
 template <Convex A, Convex B>
 Penetration<dimension_of<A>> penetration_of_convex_apart(const A& a, const B& b, const Radii& radii) {
   constexpr Dim N = dimension_of<A>;
@@ -66,8 +66,8 @@ Penetration<dimension_of<A>> penetration_of_convex_apart(const A& a, const B& b,
   return result;
 }
 
-/// Cores that meet, or do so up to GJK's resolution: EPA, which looks for a depth, need not see that there is none, but
-/// a distance, as far as GJK found them `apart`.
+/// Cores that overlap, up to GJK's resolution: EPA, which searches for a depth, may not notice a gap, which can be as
+/// large as GJK's `apart`.
 template <Convex A, Convex B>
 Penetration<dimension_of<A>> penetration_of_depth(const A& a, const B& b, const EpaResult<dimension_of<A>>& depth,
                                                   double apart, const Radii& radii) {
@@ -97,7 +97,7 @@ Penetration<dimension_of<A>> penetration_of_convex(const A& a, const B& b) {
 template <class A, class B>
 std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b);
 
-/// Of shapes that are out of range, if they meet; none of others.
+/// For shapes that are out of range, if they intersect; none for others.
 template <class A, class B>
 [[gnu::noinline, gnu::cold]] std::optional<std::optional<Penetration<dimension_of<A>>>> penetration_in_range(
     const A& a, const B& b) {
@@ -110,7 +110,8 @@ template <class A, class B>
       a, b);
 }
 
-/// The verdict of relation/convex.hpp, and the depth of what meets. Shapes without radii are measured on the way to it.
+/// The verdict of relation/convex.hpp, and the depth if they intersect. For shapes without radii, the verdict's
+/// calculation gives the depth.
 template <Convex A, Convex B>
 std::optional<Penetration<dimension_of<A>>> penetration_of_convex_if_met(const A& a, const B& b) {
   if (core_radius(a) > 0 || core_radius(b) > 0) {

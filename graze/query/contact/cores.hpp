@@ -26,11 +26,11 @@
 
 namespace graze::detail {
 
-// ---- Rays beside bounded shapes
+// ---- Rays with bounded shapes
 
-/// A ray cut so far away that the cut changes no depth. With the other shape's points within R of the ray's origin, a
-/// direction u at the angle t to the plane across the ray has the depth h(u) + L sin t, where h is the depth of the
-/// origin alone; and the direction v in that plane beside it no more, if L >= 2 R >= h(v) + R.
+/// A ray truncated so far away that no depth changes. With the other shape's points within R of the ray's origin, a
+/// direction u at the angle t to the plane perpendicular to the ray has the depth h(u) + L sin t, where h is the depth
+/// of the origin alone; and the projected direction v in that plane has no more, if L >= 2 R >= h(v) + R.
 template <Dim N, class T, class S>
 Segment<N, double> cut_for_depth(const Ray<N, T>& ray, const S& other) {
   const Vec<N, double> origin = wide<N, T>(ray.origin);
@@ -38,7 +38,7 @@ Segment<N, double> cut_for_depth(const Ray<N, T>& ray, const S& other) {
   return {origin, origin + (max_abs(reach) > 0 ? reach : wide<N, T>(ray.direction))};
 }
 
-/// A core in double, seen from near the pair.
+/// A core in double, relative to a point near the pair.
 template <class Core, class Other>
 auto seen_whole(const Vec<dimension_of<Core>, double>& origin, const Core& core, const Other& other) {
   if constexpr (is_ray<Core>) {
@@ -50,9 +50,9 @@ auto seen_whole(const Vec<dimension_of<Core>, double>& origin, const Core& core,
   }
 }
 
-// ---- Cores that meet, and cores that are apart by less than their radii
+// ---- Overlapping cores, and cores that are apart by less than their radii
 
-/// The answer of shapes whose cores are parted by an axis, given the points of the cores.
+/// The answer for shapes whose cores are separated by an axis, given the points of the cores.
 template <Dim N>
 Penetration<N> widened_along(const PartingAxis<N>& axis, const ClosestPair<N>& cores, const Radii& radii) {
   Penetration<N> result;
@@ -65,8 +65,8 @@ Penetration<N> widened_along(const PartingAxis<N>& axis, const ClosestPair<N>& c
   return result;
 }
 
-/// What is left between the points after the move is an error of the depth: cores that are taken to meet may be apart,
-/// by rounding, in another direction than the axis.
+/// A gap that remains between the points after the move is an error of the depth: cores that are taken to overlap may
+/// be apart, by rounding, in a direction other than the axis.
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_of_meeting(const A& a, const B& b, double size, const Radii& radii) {
   PartingSearch<A, B> search(a, b, size);
@@ -86,8 +86,8 @@ void offer_straightened(const Vec<dimension_of<A>, double>& direction, const Cor
   }
 }
 
-/// Cores that are apart have their depth along the vector between the nearest points. Where that is so short that
-/// rounding turns it, the faces' own normals, and what is perpendicular to the nearest edges, are known better.
+/// Separate cores have their depth along the vector between the nearest points. If that is so short that rounding
+/// rotates it, the faces' own normals, and what is perpendicular to the nearest edges, are more accurate.
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_of_apart(const A& a, const B& b, double size, const Radii& radii) {
   constexpr Dim N = dimension_of<A>;
@@ -109,7 +109,7 @@ Penetration<dimension_of<A>> penetration_of_apart(const A& a, const B& b, double
 template <class S>
 inline constexpr bool is_box = is_a<Aabb, S> || is_a<Obb, S>;
 
-/// Two boxes, not both along the axes.
+/// Two boxes, at most one of them an AABB.
 template <class A, class B>
 inline constexpr bool are_boxes = is_box<A>&& is_box<B> && !(is_a<Aabb, A> && is_a<Aabb, B>);
 
@@ -136,8 +136,8 @@ requires(!are_boxes<A, B>) Penetration<dimension_of<A>> penetration_of_simple(co
   return moved_by(result, origin);
 }
 
-/// Of boxes along the axes the depths along them are differences of stored coordinates, and the points lie in the
-/// middle of what the faces share.
+/// For AABBs, depths are differences of stored coordinates, and the points are in the middle of the common part of the
+/// faces.
 template <Dim N, class T>
 Penetration<N> penetration_of_simple(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   const Vec<N, double> zero(0.0);

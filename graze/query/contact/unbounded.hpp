@@ -21,7 +21,7 @@
 
 namespace graze::detail {
 
-/// Of shapes that no translation parts, at a point of both.
+/// For shapes that no translation separates, at a common point.
 template <Dim N>
 Penetration<N> inseparable_at(const Vec<N, double>& point) {
   Penetration<N> result;
@@ -32,7 +32,7 @@ Penetration<N> inseparable_at(const Vec<N, double>& point) {
 
 // ---- A plane, or the plane that bounds a half-space, and a bounded shape
 
-/// A depth that is about zero may come out below it.
+/// A depth of about zero may come out negative.
 template <Dim N>
 Penetration<N> of_depth(double depth) {
   Penetration<N> result;
@@ -41,7 +41,7 @@ Penetration<N> of_depth(double depth) {
   return result;
 }
 
-/// b, a core widened by a radius, is moved along the normal until its lowest point is on the plane of a.
+/// b, a core inflated by a radius, is moved along the normal until its lowest point is on the plane of a.
 template <Dim N, class T>
 Penetration<N> above_plane(const Plane<N, T>& plane, const CorePoint<N>& lowest, double radius, double side) {
   Penetration<N> result = of_depth<N>(radius - lowest.height * side);
@@ -59,7 +59,7 @@ Penetration<N> penetration_in_half_space(const HalfSpace<N, T>& solid, const S& 
   return result;
 }
 
-/// To the side on which less of the shape is on the wrong side; upward if that is equal.
+/// To the side with less of the shape on the wrong side; upward if equal.
 template <Dim N, class T, Convex S>
 Penetration<N> penetration_in_half_space(const Plane<N, T>& plane, const S& shape) {
   const auto extremes = extremes_over(plane, core(shape));
@@ -72,7 +72,7 @@ Penetration<N> penetration_in_half_space(const Plane<N, T>& plane, const S& shap
 
 // ---- Rays and planes
 
-/// The plane is moved until the ray starts on it; on the way along the normal, if `is_upward`, or back.
+/// Moves the plane until the ray starts on it; along the normal if `is_upward`, otherwise back.
 template <Dim N, class T>
 Penetration<N> at_origin(const Ray<N, T>& ray, const Plane<N, T>& plane, bool is_upward) {
   const Vec<N, double> origin = wide<N, T>(ray.origin);
@@ -85,7 +85,7 @@ Penetration<N> at_origin(const Ray<N, T>& ray, const Plane<N, T>& plane, bool is
   return result;
 }
 
-/// A ray that climbs ends above the plane, and one that falls below it; one along the plane is on the origin's side.
+/// A rising ray ends above the plane, and a falling one below it; a parallel one is on the origin's side.
 template <Dim N, class T>
 Penetration<N> penetration_of_ray(const Ray<N, T>& ray, const Plane<N, T>& plane) {
   const Heights heights = heights_over(plane, ray);
@@ -105,9 +105,10 @@ Penetration<N> penetration_of_ray(const Ray<N, T>& ray, const HalfSpace<N, T>& s
   return at_origin(ray, plane, false);
 }
 
-// ---- Planes and half-spaces among themselves
+// ---- Pairs of planes and half-spaces
 
-/// Which way along the first one's normal b can leave a, or has left it: 1, -1; 0 for both ways, if both are planes.
+/// The direction along the first one's normal in which b can leave a, or has left it: 1, -1; 0 for both directions, if
+/// both are planes.
 template <class A, class B>
 double minimum_translation(bool face_the_same_way) {
   if constexpr (!is_plane<A>) return 1;
@@ -115,7 +116,7 @@ double minimum_translation(bool face_the_same_way) {
   return 0;
 }
 
-/// Only parallel ones can be parted, and of half-spaces only those that face each other.
+/// Only parallel ones can be separated, and half-spaces only if they face each other.
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_of_half_spaces(const A& a, const B& b) {
   constexpr Dim N = dimension_of<A>;
@@ -137,10 +138,10 @@ Penetration<dimension_of<A>> penetration_of_half_spaces(const A& a, const B& b) 
   return result;
 }
 
-// ---- Rays among themselves
+// ---- Pairs of rays
 
-/// Moves b until the lines of both rays meet in an origin: a direction across one ray to which the other does not lead
-/// back. Both rays are of the plane.
+/// Moves b until the lines of both rays meet at an origin: a direction perpendicular to one ray such that the other
+/// does not lead back. Both rays are 2D.
 template <Dim N, class T>
 Penetration<N> penetration_of_crossing_rays(const Ray<N, T>& a, const Ray<N, T>& b) {
   const Vec<N, double> along_a = wide<N, T>(a.direction);
@@ -154,7 +155,7 @@ Penetration<N> penetration_of_crossing_rays(const Ray<N, T>& a, const Ray<N, T>&
   const double depth_b = -dot(across_b, between);
   Penetration<N> result = of_depth<N>(std::min(depth_a, depth_b));
   result.normal = depth_a <= depth_b ? across_a : across_b;
-  // Across a, the origin of b comes to lie on a; across b, that of a on b.
+  // Perpendicular to a, the origin of b comes to lie on a; perpendicular to b, that of a on b.
   const Vec<N, double> way = result.normal * result.depth;
   result.point_b = depth_a <= depth_b ? wide<N, T>(b.origin) : wide<N, T>(a.origin) - way;
   result.point_a = result.point_b + way;
@@ -162,13 +163,13 @@ Penetration<N> penetration_of_crossing_rays(const Ray<N, T>& a, const Ray<N, T>&
   return result;
 }
 
-/// In space, and on one line, rays have no depth: the normal is at right angles to both.
+/// In 3D, and on one line, rays have no depth: the normal is perpendicular to both.
 template <Dim N, class T>
 Penetration<N> penetration_of_rays(const Ray<N, T>& a, const Ray<N, T>& b) {
   const ClosestPair<3> pair = closest_of_rays(a, b);
   const Vec<3, double> n = accurate_cross(direction_of(a), direction_of(b));
   const double lengths = std::sqrt(length_squared(direction_of(a)) * length_squared(direction_of(b)));
-  const bool are_parallel = !(std::sqrt(length_squared(n)) > tolerance::rounding * lengths);  // as relation has it
+  const bool are_parallel = !(std::sqrt(length_squared(n)) > tolerance::rounding * lengths);  // as in relation
   if constexpr (N == 2) {
     if (!are_parallel) return penetration_of_crossing_rays(a, b);
   }

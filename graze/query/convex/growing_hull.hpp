@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small convex hull around the origin that grows point by point, and knows its face nearest to the origin.
+// A small convex hull around the origin that grows point by point, and provides its face nearest to the origin.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class Frame {
  public:
   bool is_full() const { return size_ == N; }
 
-  /// Adds what `direction` has beside the span so far; false if that is not longer than `least`.
+  /// Adds the component of `direction` perpendicular to the span so far; false if that is not longer than `least`.
   bool add(Vec<N, double> direction, double least) {
     for (Dim i = 0; i < size_; ++i) direction -= axes_[i] * dot(axes_[i], direction);
     const double size = std::sqrt(dot(direction, direction));
@@ -36,7 +36,7 @@ class Frame {
     return true;
   }
 
-  /// A unit vector at right angles to the span, which must not be full.
+  /// A unit vector perpendicular to the span, which must not be full.
   Vec<N, double> across() const {
     if (size_ == 0) return unit_axis<N>(0);
     if constexpr (N == 2) {
@@ -58,8 +58,8 @@ class Frame {
   Dim size_ = 0;
 };
 
-/// A face seen from the origin: the plane dot(normal, x) = height, normal outward and of length one. A face too thin to
-/// have a normal is infinitely high.
+/// A face relative to the origin: the plane dot(normal, x) = height, with an outward unit normal. A face too thin to
+/// have a normal has infinite height.
 template <Dim N>
 struct HullFace {
   std::array<std::uint16_t, static_cast<std::size_t>(N)> corners;
@@ -67,7 +67,7 @@ struct HullFace {
   double height;
 };
 
-/// How many points a hull may begin with (asserted), and how many more may be put in.
+/// How many points a hull may start with (asserted), and how many more may be added.
 template <Dim N>
 inline constexpr std::size_t most_hull_starts = 3 * static_cast<std::size_t>(N) + 1;
 inline constexpr std::size_t most_hull_inserts = 128;
@@ -75,18 +75,18 @@ inline constexpr std::size_t most_hull_inserts = 128;
 template <Dim N>
 using HullPoints = InplaceVector<Vec<N, double>, most_hull_starts<N> + most_hull_inserts>;
 
-/// Begins with a few points and grows by others, as many as said above. Takes no memory from the heap: in the plane
-/// 4 KiB of the stack, in space 18 KiB while it grows.
+/// Starts with a few points and grows by others, within these limits. Does not allocate: in 2D it takes 4 KiB of the
+/// stack, in 3D 18 KiB while it grows.
 template <Dim N>
 class GrowingHull;
 
-/// In the plane: a polygon, counter-clockwise from its first corner by coordinates.
+/// 2D: a polygon, counter-clockwise from its first corner by coordinates.
 template <>
 class GrowingHull<2> {
  public:
   using Point = Vec<2, double>;
 
-  /// The hull of points that do not all lie on one line.
+  /// The hull of points that are not all collinear.
   explicit GrowingHull(std::span<const Point> points) {
     assert(points.size() <= most_hull_starts<2>);
     HullPoints<2> sorted(points);
@@ -107,8 +107,8 @@ class GrowingHull<2> {
     return nearest;
   }
 
-  /// Adds a point beyond a face; false when it lies in the hull, or there is no more room. In place of the corners
-  /// between the edges that it can see, and those on whose line it lies, which are all in one row.
+  /// Adds a point beyond a face; false if it is in the hull, or the hull is full. It replaces the corners between the
+  /// edges that it sees, and those on whose line it is, which are consecutive.
   bool insert(const Point& point, const HullFace<2>&) {
     const auto is_beyond = [&](std::size_t i) { return side(i, point) < 0; };
     const auto is_inside = [&](std::size_t i) { return side(i, point) > 0; };
@@ -134,19 +134,19 @@ class GrowingHull<2> {
   std::size_t next(std::size_t i) const { return i + 1 < corners_.size() ? i + 1 : 0; }
   std::size_t previous(std::size_t i) const { return i > 0 ? i - 1 : corners_.size() - 1; }
 
-  /// Of the edge from corner i on: 1 where the inside is, -1 beyond, 0 on its line.
+  /// For the edge from corner i on: 1 on the inner side, -1 beyond, 0 on its line.
   int side(std::size_t i, const Point& point) const { return orientation(corners_[i], corners_[next(i)], point); }
 
   HullPoints<2> corners_;
 };
 
-/// In space: triangles, corners counter-clockwise from outside.
+/// 3D: triangles, corners counter-clockwise as seen from outside.
 template <>
 class GrowingHull<3> {
  public:
   using Point = Vec<3, double>;
 
-  /// The hull of points that do not all lie in one plane.
+  /// The hull of points that are not all coplanar.
   explicit GrowingHull(std::span<const Point> points) : points_(points) {
     assert(points.size() <= most_hull_starts<3>);
     const auto start = largest_tetrahedron();
@@ -160,7 +160,7 @@ class GrowingHull<3> {
     }
   }
 
-  /// None when every face is too thin to have a normal.
+  /// None if every face is too thin to have a normal.
   std::optional<HullFace<3>> nearest_face() const {
     const HullFace<3>* nearest = std::min_element(faces_.begin(), faces_.end(),
                                                   [](const auto& a, const auto& b) { return a.height < b.height; });
@@ -168,7 +168,7 @@ class GrowingHull<3> {
     return *nearest;
   }
 
-  /// Adds a point beyond a face; false when it is not new, no face sees it, or there is no more room.
+  /// Adds a point beyond a face; false if it is not new, no face sees it, or the hull is full.
   bool insert(const Point& point, const HullFace<3>&) {
     if (std::find(points_.begin(), points_.end(), point) != points_.end() || points_.is_full()) return false;
     points_.push_back(point);
@@ -186,11 +186,11 @@ class GrowingHull<3> {
     friend bool operator==(const Edge&, const Edge&) = default;
   };
 
-  /// So many has a closed surface of triangles.
+  /// The number of triangles in a closed surface.
   static constexpr std::size_t most_faces = 2 * (most_hull_starts<3> + most_hull_inserts) - 4;
   using Edges = InplaceVector<Edge, 3 * most_faces>;
 
-  /// Four points of the largest volume, the last one behind the first three.
+  /// The four points with the largest volume, the last one behind the first three.
   std::optional<std::array<std::size_t, 4>> largest_tetrahedron() const {
     std::optional<std::array<std::size_t, 4>> best;
     double largest = 0;
@@ -214,7 +214,7 @@ class GrowingHull<3> {
     return best;
   }
 
-  /// By plain products where these lose a few bits at most; of thin triangles, whose products nearly cancel, with care.
+  /// By plain products if these lose a few bits at most; for thin triangles, whose products nearly cancel, accurately.
   static Point cross_of_sides(const Point& u, const Point& v) {
     constexpr double least_sine_squared = 1.0 / 64;
     const Point plain = cross(u, v);
@@ -236,8 +236,8 @@ class GrowingHull<3> {
     faces_.push_back(face);
   }
 
-  /// Replaces the faces that a new point can see by a cone of faces from their rim to the point. The rim is made of the
-  /// edges of seen faces whose other side is not seen.
+  /// Replaces the faces that see a new point by a cone of faces from the horizon to the point. The horizon consists of
+  /// the edges of visible faces whose other side is not visible.
   bool grow(std::size_t added) {
     const auto is_seen = [&](const HullFace<3>& face) { return dot(face.normal, points_[added]) > face.height; };
     HullFace<3>* kept = std::find_if(faces_.begin(), faces_.end(), is_seen);

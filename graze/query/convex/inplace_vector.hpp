@@ -11,8 +11,8 @@
 
 namespace graze::detail {
 
-/// A vector that takes no memory from the heap: it holds at most `Room` elements, and lies where it is declared. Who
-/// adds looks at `is_full` first (asserted). What was not put in is neither written nor copied.
+/// A vector that does not allocate: it holds at most `Room` elements in the object itself. Check `is_full` before
+/// adding (asserted). Unused elements are neither written nor copied.
 template <class Element, std::size_t Room>
 class InplaceVector {
   static_assert(std::is_trivially_copyable_v<Element>);
@@ -56,7 +56,7 @@ class InplaceVector {
 
   void pop_back() { --size_; }
 
-  /// Forgets all elements from `first_gone` on.
+  /// Removes all elements from `first_gone` on.
   void end_at(const Element* first_gone) { size_ = static_cast<std::size_t>(first_gone - begin()); }
 
  private:

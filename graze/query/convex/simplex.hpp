@@ -22,9 +22,9 @@ struct Simplex {
   void push(const Vec<N, double>& point) { points[size++] = point; }
 };
 
-/// The origin's foot on the line through `start` along `edge` (not zero). Its direction counts as much as its length: a
-/// rounding that leans it towards the edge would show as a distance to the edge's end. So it is made of the normal in
-/// 2D, and straightened once more in 3D.
+/// The projection of the origin to the line through `start` along `edge` (not zero). Its direction must be as accurate
+/// as its length, because a rotation towards the edge by rounding would appear as a distance to the edge's end. So it
+/// is calculated from the normal in 2D, and corrected once more in 3D.
 template <Dim N>
 Vec<N, double> closest_on_line(const Vec<N, double>& start, const Vec<N, double>& edge) {
   const double whole = dot(edge, edge);
@@ -37,7 +37,7 @@ Vec<N, double> closest_on_line(const Vec<N, double>& start, const Vec<N, double>
   }
 }
 
-/// The nearest point and the smallest face (or the whole) of the simplex that it lies in.
+/// The nearest point and the smallest face of the simplex (possibly the whole) that contains it.
 template <Dim N>
 struct NearestOnSimplex {
   Vec<N, double> point = Vec<N, double>(0.0);
@@ -46,15 +46,15 @@ struct NearestOnSimplex {
 };
 
 /// Tries every face of the simplex: corners, edges, triangles, then whether the origin is inside. Slower than walking
-/// the regions (Gilbert, Johnson, Keerthi 1988), but no early wrong turn can be taken: the best of all valid candidates
-/// wins, and every candidate is a point of the simplex, evaluated where it is.
+/// the regions (Gilbert, Johnson, Keerthi 1988), but without wrong early decisions: the best of all valid candidates
+/// wins, and every candidate is a point of the simplex, evaluated at its position.
 template <Dim N>
 class SimplexSearch {
  public:
   using Point = Vec<N, double>;
 
-  /// `least_squared`: no point is nearer than the root of this, so that what seems to be, of a simplex that is flat up
-  /// to rounding, is not taken.
+  /// `least_squared`: no point is nearer than the square root of this, so that an apparently nearer one, in a simplex
+  /// that is flat up to rounding, is not taken.
   SimplexSearch(const Simplex<N>& simplex, double least_squared) : simplex_(simplex), least_squared_(least_squared) {}
 
   NearestOnSimplex<N> run() {
@@ -92,8 +92,7 @@ class SimplexSearch {
     if (along > 0 && along < dot(edge, edge)) offer(closest_on_line(start, edge), {i, j});
   }
 
-  /// In 3D the foot of the origin's perpendicular on the plane, n (n . p) / n^2, if it is inside; in 2D the origin
-  /// itself.
+  /// In 3D the projection of the origin to the plane, n (n . p) / n^2, if it is inside; in 2D the origin itself.
   void try_triangle(std::size_t i, std::size_t j, std::size_t k) {
     const Point& p = simplex_.points[i];
     const Point& q = simplex_.points[j];
@@ -118,9 +117,9 @@ class SimplexSearch {
     }
   }
 
-  /// Inside when the origin and the opposite corner are on the same side of every face, both by more than rounding;
-  /// else a face that is as near as rounding is the better answer. Four corners of a parallelogram have nothing inside,
-  /// but rounding puts each on some side of the others' plane.
+  /// Inside if the origin and the opposite corner are on the same side of every face, both by more than rounding;
+  /// otherwise a face within rounding is the better answer. Four corners of a parallelogram have no interior, but
+  /// rounding puts each on some side of the others' plane.
   void try_tetrahedron() {
     static constexpr std::size_t faces[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};
     for (const auto& face : faces) {
@@ -142,7 +141,7 @@ class SimplexSearch {
   NearestOnSimplex<N> best_;
 };
 
-/// Calls `visit` with vectors at right angles to the corners (seen as directions), edges and triangles of a simplex.
+/// Calls `visit` with vectors perpendicular to the corners (as directions), edges and triangles of a simplex.
 template <Dim N, class Visit>
 void for_each_perpendicular(const Simplex<N>& simplex, const Visit& visit) {
   for (std::size_t i = 0; i < simplex.size; ++i) {
@@ -161,7 +160,7 @@ void for_each_perpendicular(const Simplex<N>& simplex, const Visit& visit) {
   }
 }
 
-/// Infinitely far if every point seems nearer than the root of `least_squared`, below which none can be.
+/// Infinitely far if every point seems nearer than the square root of `least_squared`, below which none can be.
 template <Dim N>
 NearestOnSimplex<N> nearest_to_origin(const Simplex<N>& simplex, double least_squared = 0) {
   return SimplexSearch<N>(simplex, least_squared).run();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How queries look at any convex shape: as a core that has corners, widened by a radius, always in double.
+// The common form of convex shapes for queries: a core that has corners, inflated by a radius, always in double.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace graze::detail {
 
-/// The support point in double. A shape that calculates in float gets a direction of moderate length, whatever ours is.
+/// The support point in double. A shape that calculates in float gets a direction of moderate length.
 template <Convex S>
 Vec<dimension_of<S>, double> wide_support(const S& shape, const Vec<dimension_of<S>, double>& direction) {
   constexpr Dim N = dimension_of<S>;
@@ -23,17 +23,17 @@ Vec<dimension_of<S>, double> wide_support(const S& shape, const Vec<dimension_of
     return support(shape, direction);
   } else {
     using T = scalar_of<S>;
-    return wide<N, T>(support(shape, Vec<N, T>(direction / max_abs(direction))));  // queries never ask along zero
+    return wide<N, T>(support(shape, Vec<N, T>(direction / max_abs(direction))));  // queries never pass zero
   }
 }
 
-/// How far the support points of a shape may be off, relative to the largest coordinate.
+/// The error of a shape's support points, relative to the largest coordinate.
 template <Convex S>
 inline constexpr double support_error =
     SupportsIn<S, dimension_of<S>, double> ? tolerance::convex : tolerance::convex_in<scalar_of<S>>;
 
-/// A number that support points are calculated from, and that may be larger than they are: a corner of a box far away
-/// may lie near zero.
+/// A number from which support points are calculated, and that may be larger than they are: a corner of a distant box
+/// may be near zero.
 template <Convex S>
 double largest_within(const S&) {
   return 0;
@@ -43,7 +43,8 @@ double largest_within(const Obb<N, T>& box) {
   return static_cast<double>(max_abs(box.center));
 }
 
-// A round shape is its core widened by a radius: GJK is exact on cores in finitely many steps, on round surfaces never.
+// A round shape is its core inflated by a radius: GJK is exact on cores in finitely many steps, but never on round
+// surfaces.
 
 template <Convex S>
 const S& core(const S& shape) {
@@ -95,7 +96,7 @@ double core_radius(const Posed<Capsule<N, T>>& posed) {
   return core_radius(posed.shape);
 }
 
-/// The set of differences a - b of two convex shapes (Minkowski), known by its support points.
+/// The Minkowski difference a - b of two convex shapes, accessed through its support function.
 template <Convex A, Convex B>
 class Difference {
  public:
@@ -104,7 +105,7 @@ class Difference {
 
   Difference(const A& a, const B& b) : a_(a), b_(b), largest_(std::max(largest_within(a), largest_within(b))) {}
 
-  /// Remembers the largest coordinate met: the rounding of the difference is relative to it.
+  /// Records the largest coordinate: the rounding of the difference is relative to it.
   Point support(const Point& direction) {
     const Point on_a = wide_support(a_, direction);
     const Point on_b = wide_support(b_, -direction);
@@ -112,7 +113,7 @@ class Difference {
     return on_a - on_b;
   }
 
-  /// What cannot be resolved: distances below it are zero for all we know.
+  /// The resolution: smaller distances cannot be distinguished from zero.
   double resolution() const { return std::max(support_error<A>, support_error<B>) * largest_; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Segments and boxes of every kind are zonotopes: a center plus a range along each of a few edges. One separating-axis
-// test serves all their pairs.
+// test handles all their pairs.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ namespace graze::detail {
 
 /// All reference + to_center + sum of u[i] * half_edges[i] with |u[i]| <= 1. The reference is a stored point of the
 /// shape and the rest is small, so that the difference of two zonotopes is rounded relative to the pair's own size,
-/// however far from zero it lies. `directions[i]` is parallel to half_edges[i], and not zero even if the half edge is
-/// (but for a segment that is a point).
+/// however far from zero it is. `directions[i]` is parallel to half_edges[i], and not zero even if the half edge is
+/// (except for a segment that is a point).
 template <Dim N, std::size_t Edges>
 struct Zonotope {
   Vec<N, double> reference;
@@ -74,7 +74,7 @@ Zonotope<N, static_cast<std::size_t>(N)> zonotope(const Obb<N, T>& box) {
   return result;
 }
 
-/// The cross product, known to epsilon of its length; the cheap one where little cancels.
+/// The cross product, accurate to epsilon of its length; by the cheap formula if little cancels.
 inline Vec<3, double> cross_of_directions(const Vec<3, double>& a, const Vec<3, double>& b) {
   const Vec<3, double> product = cross(a, b);
   constexpr double least_sine = 1.0 / 8;
@@ -91,11 +91,12 @@ class AxisTest {
 
   Relation verdict() const { return verdict_; }
 
-  /// Projects on `axis`, known to epsilon of its length, however short it is. False when it proves the zonotopes apart.
+  /// Projects on `axis`, which is accurate to epsilon of its length, however short it is. False if it proves the
+  /// zonotopes apart.
   ///
   /// The gap along the axis is |axis . between| - sum |axis . edge|. Any axis, however it was rounded, can prove the
-  /// shapes apart, so that verdict allows for the rounding of the sum alone. As the measure of a depth, the axis stands
-  /// for the exact normal of a face, so that its own rounding counts too, on every edge.
+  /// shapes apart, so that verdict only accounts for the rounding of the sum. As the measure of a depth, the axis
+  /// represents the exact normal of a face, so its own rounding counts too, on every edge.
   template <std::size_t A, std::size_t B>
   bool project(const Vec<N, double>& axis, const std::array<Vec<N, double>, A>& edges_a,
                const std::array<Vec<N, double>, B>& edges_b) {
@@ -115,8 +116,8 @@ class AxisTest {
   }
 
  private:
-  /// A zonotope as seen along an axis: sum |axis . edge|, the same without cancellation, and the size of the edges
-  /// themselves.
+  /// The projection of a zonotope to an axis: sum |axis . edge|, the same without cancellation, and the size of the
+  /// edges themselves.
   struct Shadow {
     double reach = 0;
     double magnitude = 0;
@@ -139,9 +140,9 @@ class AxisTest {
   Relation verdict_ = Relation::overlapping;
 };
 
-/// The verdict on two zonotopes, at least one of them a box, or on two segments of the plane that are not points.
-/// The faces of the set of differences are spanned by pairs of edges, one of the 15 axes of two boxes each (in 2D by
-/// single edges); edges of the same shape come first because they separate most often.
+/// The verdict on two zonotopes, at least one of them a box, or on two 2D segments that are not points. The faces of
+/// the Minkowski difference are spanned by pairs of edges, one of the 15 axes of two boxes each (in 2D by single
+/// edges); edges of the same shape come first because they separate most often.
 template <Dim N, std::size_t A, std::size_t B>
 Relation relation_of_zonotopes(const Zonotope<N, A>& a, const Zonotope<N, B>& b) {
   AxisTest<N> test(between_centers(a, b));
@@ -149,7 +150,7 @@ Relation relation_of_zonotopes(const Zonotope<N, A>& a, const Zonotope<N, B>& b)
     const auto project_all = [&](const auto& directions) {
       for (const Vec<2, double>& direction : directions) {
         if (!test.project(perpendicular(direction), a.half_edges, b.half_edges)) return false;
-        // Segments on one line are parted only along it.
+        // Collinear segments are separated only along their line.
         if (A + B == 2 && !test.project(direction, a.half_edges, b.half_edges)) return false;
       }
       return true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The nearest points of two cores that are apart, and a common point of two that meet. Of disjoint polytopes a corner
-// of one and any point of the other are nearest, or, in space, inner points of two edges.
+// The nearest points of two separate cores, and a common point of two that intersect. For disjoint polytopes, a corner
+// of one and any point of the other are nearest, or, in 3D, interior points of two edges.
 #pragma once
 
 #include <algorithm>
@@ -27,20 +27,20 @@
 
 namespace graze::detail {
 
-/// The nearest of the pairs of points that were offered; of several the first.
+/// The nearest of the offered pairs of points; the first of several.
 template <Dim N>
 struct ClosestPair {
   Vec<N, double> on_a;
   Vec<N, double> on_b;
-  Vec<N, double> between;  ///< From on_a to on_b: not their difference, but known as well as its own length allows.
+  Vec<N, double> between;  ///< From on_a to on_b: not their difference, but accurate relative to its own length.
   double squared = std::numeric_limits<double>::infinity();
 
-  /// A point of a, and its foot on b.
+  /// A point of a, and its projection to b.
   void offer_from_a(const Vec<N, double>& point, const ClosestOnCore<N>& closest) {
     offer({point, closest.point, -closest.off});
   }
 
-  /// A point of b, and its foot on a.
+  /// A point of b, and its projection to a.
   void offer_from_b(const Vec<N, double>& point, const ClosestOnCore<N>& closest) {
     offer({closest.point, point, closest.off});
   }
@@ -53,8 +53,8 @@ struct ClosestPair {
   }
 };
 
-/// Tells which points of one core are no use: along the direction between the best pair so far they are farther from
-/// the other core than that pair is long. Next to the nearest pair that leaves out all but its own corners.
+/// Excludes points of one core: along the direction between the best pair so far, they are farther from the other core
+/// than that pair's distance. Close to the nearest pair, this excludes all but its own corners.
 template <class Other>
 class TooFar {
  public:
@@ -119,8 +119,8 @@ void offer_corners(const A& a, const B& b, double size, const FacingBand<dimensi
   }
 }
 
-/// Steps from one core to the nearest point of the other and back, which soon come near the nearest pair: not for its
-/// own sake, but so that few corners and edges are left to be tried.
+/// Alternates between the nearest points of both cores, which quickly approaches the nearest pair: not for its result,
+/// but so that few corners and edges need to be tried.
 template <class A, class B>
 void offer_projections(const A& a, const B& b, ClosestPair<dimension_of<A>>& best) {
   constexpr int steps = 2;
@@ -137,7 +137,7 @@ void offer_projections(const A& a, const B& b, ClosestPair<dimension_of<A>>& bes
   }
 }
 
-// ---- Two edges in space
+// ---- Two 3D edges
 
 /// Where along two segments, from 0 to 1, their lines are nearest to each other. With p(s) = start_a + s u, q(t) =
 /// start_b + t v, w = start_b - start_a, n = u x v the perpendicular is at s n^2 = (w x v) . n, t n^2 = (w x u) . n.
@@ -147,11 +147,11 @@ class Perpendicular {
   Perpendicular(const Segment<N, double>& a, const Segment<N, double>& b)
       : u_(a.end - a.start), v_(b.end - b.start), w_(b.start - a.start) {
     const auto n = cross_of_edges(u_, v_);
-    n0_ = of_unit_size(n);  // in place of one n, or n^2 leaves the range of double
+    n0_ = of_unit_size(n);  // replaces one n, otherwise n^2 would leave the range of double
     whole_ = inner(n, n0_);
   }
 
-  /// None if the segments are parallel, or points: then the places are not to be asked for.
+  /// False if the segments are parallel, or points: then the positions are not valid.
   bool is_any() const { return whole_ > 0; }
   double on_a() const { return place(v_); }
   double on_b() const { return place(u_); }
@@ -168,10 +168,10 @@ class Perpendicular {
   double whole_;
 };
 
-/// Both places are rounded, and the more the more parallel the lines are, but not apart from each other: each one's own
-/// foot on the other segment is what counts, and the nearer of the two. Where Eberly, "Robust computation of distance
-/// between line segments" (2018), walks to the minimum by conjugate gradients, here the corners are offered as well,
-/// and the best of these valid answers is good to rounding.
+/// Both positions are rounded, the more so the more parallel the lines are, but the rounding is correlated: each one's
+/// own projection to the other segment is used, and the nearer of the two. Where Eberly, "Robust computation of
+/// distance between line segments" (2018), minimises by conjugate gradients, here the corners are offered as well, and
+/// the best of these valid answers is accurate up to rounding.
 template <Dim N>
 void offer_perpendicular(const Segment<N, double>& a, const Segment<N, double>& b, ClosestPair<N>& best) {
   const Perpendicular<N> perpendicular(a, b);
@@ -184,11 +184,11 @@ void offer_perpendicular(const Segment<N, double>& a, const Segment<N, double>& 
 
 /// The gap between two cores along the common normal of an edge of each.
 struct NormalGap {
-  Vec<3, double> from_a = Vec<3, double>(0.0);  ///< At right angles to both edges, of any length.
+  Vec<3, double> from_a = Vec<3, double>(0.0);  ///< Perpendicular to both edges, of any length.
   double gap = -std::numeric_limits<double>::infinity();
 };
 
-/// None of edges that are parallel, or points.
+/// None for edges that are parallel, or points.
 template <class A, class B>
 NormalGap gap_along_normal(const Vec<3, double>& edge_a, const Vec<3, double>& edge_b, const A& a, const B& b) {
   const Vec<3, double> normal = of_unit_size(cross_of_directions(edge_a, edge_b));
@@ -201,9 +201,9 @@ NormalGap gap_along_normal(const Vec<3, double>& edge_a, const Vec<3, double>& e
   return {ahead >= behind ? normal : -normal, std::max(ahead, behind) / std::sqrt(squared)};
 }
 
-/// If inner points of two edges are nearest, both edges are the foremost ones along their common normal, and the gap
-/// between the cores along it is the distance. No gap along any direction is larger: so the largest is the only one of
-/// use, or the few as large up to rounding. `size` is that of both cores.
+/// If interior points of two edges are nearest, both edges are the foremost ones along their common normal, and the gap
+/// between the cores along it is the distance. No gap along any direction is larger: so only the largest matters, or
+/// the few as large up to rounding. `size` is that of both cores.
 template <class A, class B>
 void offer_edges(const A& core_a, const B& core_b, double size, ClosestPair<3>& best) {
   const auto& a = with_edges(core_a);
@@ -230,7 +230,7 @@ void offer_edges(const A& core_a, const B& core_b, double size, ClosestPair<3>& 
   }
 }
 
-/// The nearest points of two cores that are apart. `size` is a bound on the coordinates of both.
+/// The nearest points of two separate cores. `size` is a bound on the coordinates of both.
 template <class A, class B>
 ClosestPair<dimension_of<A>> closest_of_apart(const A& a, const B& b, double size) {
   ClosestPair<dimension_of<A>> best;
@@ -240,7 +240,7 @@ ClosestPair<dimension_of<A>> closest_of_apart(const A& a, const B& b, double siz
   return best;
 }
 
-/// Boxes along the axes, apart or not: coordinate by coordinate, in the middle of what they share.
+/// AABBs, apart or not: coordinate by coordinate, in the middle of the common range.
 template <Dim N>
 ClosestPair<N> closest_of_boxes(const Aabb<N, double>& a, const Aabb<N, double>& b) {
   ClosestPair<N> pair;
@@ -257,9 +257,9 @@ ClosestPair<N> closest_of_boxes(const Aabb<N, double>& a, const Aabb<N, double>&
   return pair;
 }
 
-// ---- Cores that meet: a corner of one in the other, or an edge of one through the other
+// ---- Intersecting cores: a corner of one in the other, or an edge of one through the other
 
-/// A core as visit_crossings takes it.
+/// A core in the form of visit_crossings.
 template <class Core>
 const Core& with_crossings(const Core& core) {
   return core;
@@ -274,7 +274,7 @@ inline CrossedTriangle with_crossings(const Triangle<3, double>& core) {
   return {core, of_unit_size(cross_of_directions(core.b - core.a, core.c - core.a))};
 }
 
-/// Calls `visit` with points of an edge, one of which is a point of the core if an inner point of the edge is one.
+/// Calls `visit` with points of an edge, one of which is a point of the core if an interior point of the edge is one.
 template <Dim N, class Visit>
 void visit_crossings(const Segment<N, double>& edge, const Segment<N, double>& core, double, const Visit& visit) {
   const Perpendicular<N> perpendicular(edge, core);
@@ -295,13 +295,13 @@ void visit_crossings(const Segment<3, double>& edge, const CrossedTriangle& core
   visit(edge.start + way * std::clamp(dot(core.normal, core.triangle.a - edge.start) / climb, 0.0, 1.0));
 }
 
-/// The shares of an edge, from 0 to 1, that are between the faces of a box; none if low > high.
+/// The parameters of an edge, from 0 to 1, that are between the faces of a box; none if low > high.
 struct ShareRange {
   double low = 0;
   double high = 1;
 };
 
-/// Start and way are given in coordinates of the box.
+/// Start and direction are given in coordinates of the box.
 template <Dim N>
 ShareRange range_between_faces(const Vec<N, double>& start, const Vec<N, double>& way,
                                const Vec<N, double>& half_extents) {
@@ -316,8 +316,8 @@ ShareRange range_between_faces(const Vec<N, double>& start, const Vec<N, double>
   return range;
 }
 
-/// The rows take vectors to coordinates of the box. An edge that touches may seem to miss by what rounding can hide:
-/// then the faces are moved out by as much.
+/// The rows map vectors to coordinates of the box. An edge that touches may seem to miss by a rounding error: then the
+/// faces are moved out by as much.
 template <Dim N, class Visit>
 void visit_middle_inside(const Segment<N, double>& edge, const Mat<N, double>& rows, const Vec<N, double>& half_extents,
                          double slack, const Visit& visit) {
@@ -350,7 +350,7 @@ Vec<N, double> half_extents_of(const Obb<N, double>& box) {
   return box.half_extents;
 }
 
-/// A box with the rows that take vectors from its center to its coordinates.
+/// A box with the rows that map vectors from its center to its coordinates.
 template <Dim N>
 struct CrossedBox {
   Vec<N, double> center;
@@ -368,8 +368,8 @@ void visit_crossings(const Segment<N, double>& edge, const CrossedBox<N>& box, d
                          tolerance::coarse * size, [&](const Vec<N, double>& point) { visit(box.center + point); });
 }
 
-/// Offers points of edges of a core that may be points of the other, as `offer(point)`: those that are `reached`, and
-/// none twice in a row.
+/// Offers points of edges of a core that may be points of the other, as `offer(point)`: those that are `reached`,
+/// without repetition.
 template <class Core, class Other, class Reached, class Offer>
 void offer_crossings(const Core& core, const Other& other, double size, const Reached& reached, const Offer& offer) {
   using Point = Vec<dimension_of<Core>, double>;
@@ -406,7 +406,7 @@ ClosestPair<dimension_of<A>> closest_of_meeting(const A& a, const B& b, double s
   return best;
 }
 
-/// A common point of two cores that meet: a pair of points as near to each other as rounding allows.
+/// A common point of two intersecting cores: a pair of points as close to each other as rounding permits.
 template <class A, class B>
 ClosestPair<dimension_of<A>> closest_of_meeting(const A& a, const B& b, double size) {
   return closest_of_meeting(a, b, size, FacingBand<dimension_of<A>>{});

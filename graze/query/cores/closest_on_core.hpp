@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// closest_on(shape, p): the point of a segment, a ray or a triangle in space that is nearest to p, and of a convex
-// polygon's outline, in double.
+// closest_on(shape, p): the point of a segment, a ray or a 3D triangle that is nearest to p, and of a convex polygon's
+// outline, in double.
 //
-// Of triangles and polygons the place is right to a few epsilon of the vectors from p to the corners, however thin they
-// are, and not the distance alone: two feet of p that are a width of 1e-8 apart are as far from it, for all that double
-// tells, so distances are not asked which of them it is. Sides are: where p lies outside an edge and beside it, no
-// other foot is nearer.
+// For triangles and polygons the position is accurate to a few epsilon of the vectors from p to the corners, however
+// thin they are, not only the distance: two projections of p that are a width of 1e-8 apart are equally far from it in
+// double, so distances cannot decide between them. Sides can: if p is outside an edge and beside it, no other
+// projection is nearer.
 #pragma once
 
 #include <array>
@@ -24,13 +24,13 @@
 namespace graze::detail {
 
 /// The nearest point of a line, and the vector from it to p: not their difference, but calculated from vectors between
-/// p and the shape, so that it is right far from the origin too.
+/// p and the shape, so that it is accurate far from the origin too.
 template <Dim N>
 struct ClosestOnCore {
   Vec<N, double> point;
   Vec<N, double> off;
-  double share = 0;  ///< Of a segment that lies before it.
-  double whole = 0;  ///< The squared length of what it is on, where that was calculated.
+  double share = 0;  ///< Its parameter on the segment.
+  double whole = 0;  ///< The squared length of the edge, if it was calculated.
 };
 
 template <Dim N>
@@ -38,8 +38,8 @@ double squared(const ClosestOnCore<N>& closest) {
   return dot(closest.off, closest.off);
 }
 
-/// Ericson, Real-Time Collision Detection (2005), 5.1.2, seen from the nearer end. Equal ends are never divided by:
-/// then `along` is zero.
+/// Ericson, Real-Time Collision Detection (2005), 5.1.2, relative to the nearer end. There is no division for equal
+/// ends: then `along` is zero.
 template <Dim N, class T>
 [[gnu::always_inline]] inline ClosestOnCore<N> closest_on(const Segment<N, T>& segment, const Vec<N, double>& p) {
   const Vec<N, double> start = wide<N, T>(segment.start);
@@ -65,16 +65,16 @@ template <Dim N, class T>
   return {origin + direction * share, p - origin - direction * share, 0, whole};
 }
 
-/// Whether the foot is between the ends of a segment.
+/// Whether the projection is between the ends of a segment.
 template <Dim N>
 bool is_between_ends(const ClosestOnCore<N>& closest) {
   return closest.share > 0 && closest.share < 1;
 }
 
-// ---- Triangles in space, polygons
+// ---- 3D triangles, polygons
 
-/// The nearest corner, the first of several. Which of two is nearer is read off the vector between them, which is known
-/// as well as it is long.
+/// The nearest corner, the first of several. Which of two is nearer is decided by the vector between them, which is
+/// accurate relative to its length.
 template <Dim N, class T>
 ClosestOnCore<N> nearest_corner(std::span<const Vec<N, T>> corners, const Vec<N, double>& p) {
   Vec<N, double> best = wide<N, T>(corners.front());
@@ -86,7 +86,8 @@ ClosestOnCore<N> nearest_corner(std::span<const Vec<N, T>> corners, const Vec<N,
 }
 
 /// u x v, with u from corner to first and v from corner to second, within a few epsilon of its length, however thin the
-/// triangle is: for that the differences' roundings count, too. Zero if the sine of the angle is below a few epsilon.
+/// triangle is: this requires the differences' rounding errors, too. Zero if the sine of the angle is below a few
+/// epsilon.
 inline Vec<3, double> accurate_normal(const Vec<3, double>& corner, const Vec<3, double>& first,
                                       const Vec<3, double>& second) {
   Vec<3, double> u;
@@ -106,8 +107,8 @@ inline Vec<3, double> accurate_normal(const Vec<3, double>& corner, const Vec<3,
   return is_straight ? Vec<3, double>(0.0) : normal;
 }
 
-/// Whether p is on the inner side of an edge, seen along the normal, beyond doubt: by more than what the determinant is
-/// rounded by, 7 half epsilon of the sum of its products.
+/// Whether p is on the inner side of an edge, seen along the normal, with certainty: by more than the determinant's
+/// rounding error, 7 half epsilon of the sum of its products.
 inline bool is_surely_inside(const Vec<3, double>& normal, const Vec<3, double>& edge, const Vec<3, double>& to_p) {
   const Vec<3, double> n = abs(normal);
   const Vec<3, double> e = abs(edge);
@@ -116,10 +117,10 @@ inline bool is_surely_inside(const Vec<3, double>& normal, const Vec<3, double>&
   return dot(normal, cross(edge, to_p)) > 4 * tolerance::epsilon * products;
 }
 
-/// A triangle with what all feet on it are calculated from.
+/// A triangle with precomputed data for projections.
 struct FacedTriangle {
   Triangle<3, double> triangle;
-  std::size_t longest;    ///< The edge from this corner.
+  std::size_t longest;    ///< The index of the corner where the longest edge starts.
   Vec<3, double> normal;  ///< The largest coordinate is 1 or -1; zero if the triangle is a line.
 };
 
@@ -137,17 +138,17 @@ inline FacedTriangle faced(const Triangle<3, double>& triangle) {
   return {triangle, longest, size > 0 ? normal / size : normal};  // or its square leaves the range of double
 }
 
-/// Inside all edges the foot of the perpendicular on the plane; else the foot on an edge that p is outside of, or
-/// nearly, if it is between its ends; else the nearest corner. Where rounding leaves open which, both are right, but
-/// beyond a blunt corner p can be near the line of one edge and surely inside the next, and then that has the foot. A
-/// triangle that is a line is its longest edge: the two others run along it, or the angle between them, from which the
-/// normal is calculated, would not be straight.
+/// Inside all edges, the projection to the plane; otherwise the projection to an edge that p is outside of, or nearly,
+/// if it is between the edge's ends; otherwise the nearest corner. If rounding leaves open which, both are right, but
+/// beyond a blunt corner p can be near the line of one edge and certainly inside the next, which then has the
+/// projection. A triangle that is a line is its longest edge: the other two run along it, or the angle between them,
+/// from which the normal is calculated, would not be straight.
 inline ClosestOnCore<3> closest_on(const FacedTriangle& face, const Vec<3, double>& p) {
   const std::array<Vec<3, double>, 3> corners = face.triangle.vertices();
   const auto edge_at = [&](std::size_t i) { return Segment<3, double>{corners[i % 3], corners[(i + 1) % 3]}; };
   const Vec<3, double>& normal = face.normal;
   if (!(max_abs(normal) > 0)) return closest_on(edge_at(face.longest), p);
-  std::array<double, 3> share{};  // inside an edge: any
+  std::array<double, 3> share{};  // inside an edge, any value
   std::array<bool, 3> is_inside{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Segment<3, double> edge = edge_at(i);
@@ -178,8 +179,8 @@ inline ClosestOnCore<3> closest_on(const Triangle<3, double>& triangle, const Ve
 template <class T>
 using Corners = std::span<const Vec<2, T>>;
 
-/// The nearest of the feet on a polygon's edges from inside, the first of several, which is read off the vector between
-/// their places, seen from a corner.
+/// The nearest projection to a polygon's edges from inside, the first of several, decided by the vector between their
+/// positions, relative to a corner.
 template <class T>
 ClosestOnCore<2> closest_from_inside(Corners<T> corners, const Vec<2, double>& p) {
   const Vec<2, double> corner = wide<2, T>(corners[0]);
@@ -202,7 +203,7 @@ struct ClosestOnPolygon {
   bool is_inside;            ///< Of the polygon, its outline included; never of one without area.
 };
 
-/// As of triangles in space, but which side of an edge p is on `orientation` decides exactly.
+/// Like 3D triangles, but `orientation` decides exactly on which side of an edge p is.
 template <class T>
 ClosestOnPolygon closest_on_polygon(Corners<T> corners, const Vec<2, double>& p) {
   const std::size_t count = corners.size();

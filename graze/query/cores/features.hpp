@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The corners, edges and nearest points of the cores that closest points are found on: points, segments, boxes and
-// triangles in double, all seen from near the pair, so that no rounding grows with the distance from zero.
+// The corners, edges and nearest points of cores, used for closest points: points, segments, boxes and triangles in
+// double, all relative to a point near the pair, so that rounding errors do not grow with the distance from zero.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,8 @@
 
 namespace graze::detail {
 
-// ---- closest_on(core, p): the core's point nearest to p, and the vector from there to p. Segments and triangles in
-// space have theirs in closest_on_core.hpp.
+// ---- closest_on(core, p): the core's point nearest to p, and the vector from there to p. For segments and 3D
+// triangles see closest_on_core.hpp.
 
 template <Dim N>
 ClosestOnCore<N> closest_on(const Vec<N, double>& core, const Vec<N, double>& p) {
@@ -45,21 +45,21 @@ ClosestOnCore<N> closest_on(const Obb<N, double>& box, const Vec<N, double>& p) 
   return {box.center + box.axes * nearest.place, nearest.off};
 }
 
-/// A point inside is its own foot.
+/// A point inside is its own projection.
 inline ClosestOnCore<2> closest_on(const Triangle<2, double>& triangle, const Vec<2, double>& p) {
   const std::array<Vec<2, double>, 3> corners = counter_clockwise(triangle);
   const ClosestOnPolygon nearest = closest_on_polygon<double>(corners, p);
   return nearest.is_inside ? ClosestOnCore<2>{p, Vec<2, double>(0.0)} : nearest.closest;
 }
 
-/// A core as closest_on takes it when it is asked for many points.
+/// A core in the form of closest_on for many points.
 template <class Core>
 const Core& with_feet(const Core& core) {
   return core;
 }
 inline FacedTriangle with_feet(const Triangle<3, double>& triangle) { return faced(triangle); }
 
-// ---- Boxes as a center and the vectors from it to the middles of the faces
+// ---- Boxes as a center and the vectors from it to the centers of the faces
 
 template <Dim N>
 struct BoxFrame {
@@ -102,7 +102,7 @@ std::array<Vec<N, double>, 3> corner_points(const Triangle<N, double>& triangle)
   return triangle.vertices();
 }
 
-/// Corner number k is the one on the far side of axis i if bit i of k is set.
+/// Corner number k is on the far side of axis i if bit i of k is set.
 template <BoxCore Box>
 auto corner_points(const Box& box) {
   const auto frame = frame_of(box);
@@ -115,7 +115,7 @@ auto corner_points(const Box& box) {
   return corners;
 }
 
-/// Those of a box along the axes are exact.
+/// Those of an AABB are exact.
 template <Dim N>
 std::array<Vec<N, double>, std::size_t{1} << N> corner_points(const Aabb<N, double>& box) {
   std::array<Vec<N, double>, std::size_t{1} << N> corners;
@@ -152,14 +152,14 @@ std::array<Vec<N, double>, static_cast<std::size_t>(N)> edge_vectors(const BoxFr
   return edges;
 }
 
-/// Whether going along `way` leads against `direction`, by more than rounding.
+/// Whether `way` has a component against `direction`, by more than rounding.
 template <Dim N>
 bool leads_back(const Vec<N, double>& way, const Vec<N, double>& direction) {
   return dot(way, direction) < -tolerance::extreme_edge * sum_abs(way) * sum_abs(direction);
 }
 
-/// Calls `visit` with the edges along edge_vectors(core)[index]; but for those from which a way along the core, to
-/// another of them or to the third corner of a triangle, is one that `leads_on`.
+/// Calls `visit` with the edges along edge_vectors(core)[index]; except those from which a vector along the core, to
+/// another of them or to the third corner of a triangle, satisfies `leads_on`.
 template <Dim N, class LeadsOn, class Visit>
 void visit_edges_along(const Segment<N, double>& segment, std::size_t, const LeadsOn&, const Visit& visit) {
   visit(segment);
@@ -191,15 +191,15 @@ void visit_edges_along(const BoxFrame<N>& box, std::size_t index, const LeadsOn&
   }
 }
 
-/// Calls `visit` with the edges along edge_vectors(core)[index] that no other point of the core lies before, as seen
-/// along `direction` (at right angles to these edges); two or more where rounding cannot tell which of them.
+/// Calls `visit` with the foremost edges along edge_vectors(core)[index], seen along `direction` (perpendicular to
+/// these edges); two or more if rounding cannot decide between them.
 template <Dim N, class Core, class Visit>
 void visit_foremost_edges(const Core& core, std::size_t index, const Vec<N, double>& direction, const Visit& visit) {
   const auto leads_on = [&direction](const Vec<N, double>& way) { return leads_back(way, direction); };
   visit_edges_along(core, index, leads_on, visit);
 }
 
-/// A core as the functions of edges take it: boxes by their frames.
+/// A core in the form of the functions of edges: boxes by their frames.
 template <class Core>
 const Core& with_edges(const Core& core) {
   return core;
@@ -209,7 +209,7 @@ auto with_edges(const Box& box) {
   return frame_of(box);
 }
 
-/// Points have no edges, and nothing but themselves to be nearest.
+/// Points have no edges, and are their own nearest points.
 template <class Core>
 concept HasEdges = requires(const Core& core) {
   edge_vectors(with_edges(core));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The direction in which two cores are parted by the least translation: points, segments, boxes and triangles in
-// double, see features.hpp.
+// The direction of the minimum translation that separates two cores: points, segments, boxes and triangles in double,
+// see features.hpp.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 
 namespace graze::detail {
 
-// ---- edge_directions(core): one for all edges that are parallel. Those of a box are its axes, also where it is flat.
+// ---- edge_directions(core): one for all edges that are parallel. Those of a box are its axes, even if it is flat.
 
 template <Dim N>
 std::array<Vec<N, double>, 0> edge_directions(const Vec<N, double>&) {
@@ -53,8 +53,8 @@ auto edge_directions(const Obb<N, double>& box) {
   return columns_of<N>(box.axes);
 }
 
-// ---- face_directions(core): the normals of its faces, in the plane those of its edges; of any length, zero if all
-// points lie on one line.
+// ---- face_directions(core): the normals of its faces, in 2D those of its edges; of any length, zero if all points are
+// collinear.
 
 template <class Core>
 requires(dimension_of<Core> == 2) auto face_directions(const Core& core) {
@@ -70,8 +70,8 @@ inline std::array<Vec<3, double>, 1> face_directions(const Triangle<3, double>& 
 inline auto face_directions(const Aabb<3, double>& box) { return edge_directions(box); }
 inline auto face_directions(const Obb<3, double>& box) { return columns_of<3>(adjoint_columns(box.axes)); }
 
-/// A direction of length 1 and the gap along it: how much higher the lowest point of b is than the highest of a.
-/// Moving b by minus the gap along the direction makes the cores just touch.
+/// A unit direction and the gap along it: the height of the lowest point of b above the highest of a. Moving b by minus
+/// the gap along the direction makes the cores just touch.
 template <Dim N>
 struct PartingAxis {
   Vec<N, double> normal = unit_axis<N>(0);
@@ -79,7 +79,7 @@ struct PartingAxis {
 };
 
 /// Keeps the direction with the largest gap. Of gaps that differ by no more than rounding the first offered wins, so
-/// that faces, offered before pairs of edges, stay the answer from frame to frame.
+/// that faces, offered before pairs of edges, remain the answer between frames.
 template <class A, class B>
 class PartingSearch {
  public:
@@ -89,7 +89,7 @@ class PartingSearch {
   PartingSearch(const A& a, const B& b, double size)
       : a_(with_edges(a)), b_(with_edges(b)), margin_(tolerance::rounding * size) {}
 
-  /// A direction of any length, there and back. Zero is no direction.
+  /// A direction of any length, and its opposite. Zero is ignored.
   void offer(const Vec<N, double>& direction) {
     if (is_surely_worse(direction)) return;
     const Vec<N, double> scaled = scaled_direction(direction);
@@ -110,7 +110,7 @@ class PartingSearch {
   using EdgedA = std::decay_t<decltype(with_edges(std::declval<const A&>()))>;
   using EdgedB = std::decay_t<decltype(with_edges(std::declval<const B&>()))>;
 
-  /// Whether the gap along a direction is smaller than the best for certain: told without its length.
+  /// Whether the gap along a direction is certainly smaller than the best: decided without its length.
   bool is_surely_worse(const Vec<N, double>& direction) const {
     constexpr double far = 1e100;
     const double squared = dot(direction, direction);
@@ -134,9 +134,10 @@ class PartingSearch {
   PartingAxis<N> best_;
 };
 
-/// Offers every direction in which a face of the set of differences of two cores can look: the normals of their faces
-/// and, in space, the common normals of an edge of each (the separating-axis test; Gottschalk, Lin, Manocha, "OBBTree",
-/// 1996). If all edges are parallel the set has no faces; then it is left straight across, and points in direction x.
+/// Offers every normal direction of the Minkowski difference of two cores: the normals of their faces and, in 3D, the
+/// common normals of an edge of each (the separating-axis test; Gottschalk, Lin, Manocha, "OBBTree", 1996). If all
+/// edges are parallel the difference has no faces; then the perpendicular direction is used, and for points direction
+/// x.
 template <class A, class B>
 void offer_faces(const A& a, const B& b, PartingSearch<A, B>& search) {
   constexpr Dim N = dimension_of<A>;
@@ -184,7 +185,7 @@ Triangle<N, double> moved_by(const Triangle<N, double>& triangle, const Vec<N, d
 
 // ---- Points
 
-/// Moving b along the axis until the cores just touch shows the points at which they do.
+/// Moving b along the axis until the cores just touch shows the contact points.
 template <class A, class B>
 ClosestPair<dimension_of<A>> points_along(const A& a, const B& b, const PartingAxis<dimension_of<A>>& axis,
                                           double size) {

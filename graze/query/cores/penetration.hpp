@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How deep two shapes that meet are in each other, in double: what contact.hpp rounds.
+// The depth of two intersecting shapes, in double: what contact.hpp rounds.
 #pragma once
 
 #include <utility>
@@ -10,19 +10,19 @@
 
 namespace graze::detail {
 
-/// The least translation that parts two shapes, and the two points that it makes one: point_a - point_b is about normal
-/// * depth.
+/// The minimum translation that separates two shapes, and the two points that it brings together: point_a - point_b is
+/// about normal * depth.
 template <Dim N>
 struct Penetration {
-  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Of length 1, from a to b; zero if nothing parts them.
+  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Unit vector, from a to b; zero if nothing separates them.
   double depth = 0;
-  Vec<N, double> point_a = Vec<N, double>(0.0);  ///< Of a's surface.
-  Vec<N, double> point_b = Vec<N, double>(0.0);  ///< Of b's surface.
+  Vec<N, double> point_a = Vec<N, double>(0.0);  ///< On a's surface.
+  Vec<N, double> point_b = Vec<N, double>(0.0);  ///< On b's surface.
   Status status = Status::converged;
   double error = 0;
 };
 
-/// The same of (b, a). Subtracted from zero, so that a zero keeps its sign.
+/// The same for (b, a). Subtracted from zero, so that a zero keeps its sign.
 template <Dim N>
 Penetration<N> exchanged(Penetration<N> penetration) {
   std::swap(penetration.point_a, penetration.point_b);
@@ -30,7 +30,7 @@ Penetration<N> exchanged(Penetration<N> penetration) {
   return penetration;
 }
 
-/// The same of shapes that are 2^k times as large.
+/// The same for shapes scaled by 2^k.
 template <Dim N>
 Penetration<N> resized(Penetration<N> penetration, const PowerOfTwo& power) {
   penetration.depth = power(penetration.depth);
@@ -40,7 +40,7 @@ Penetration<N> resized(Penetration<N> penetration, const PowerOfTwo& power) {
   return penetration;
 }
 
-/// The same seen from where `origin` is the origin.
+/// The same relative to another origin.
 template <Dim N>
 Penetration<N> moved_by(Penetration<N> penetration, const Vec<N, double>& origin) {
   penetration.point_a += origin;

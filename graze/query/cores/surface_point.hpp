@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The point of a shape's surface nearest to a given point, in double: what closest_point.hpp,
-// closest_boundary_point.hpp and signed_distance.hpp round. Closed forms; boxes are in surface_point_box.hpp, polytopes
-// in 3D and users' types in surface_point_convex.hpp. Include one of those three.
+// closest_boundary_point.hpp and signed_distance.hpp round. Closed forms; boxes are in surface_point_box.hpp, 3D
+// polytopes and user-defined types in surface_point_convex.hpp. Include one of those three.
 #pragma once
 
 #include <algorithm>
@@ -30,17 +30,16 @@
 
 namespace graze::detail {
 
-/// Of a set without inside `point` is the set's point nearest to p, and `inner` the same.
+/// For a set without interior `point` is the set's point nearest to p, and `inner` the same.
 template <Dim N>
 struct SurfacePoint {
   Vec<N, double> point;
-  Vec<N, double> inner;  ///< Where the shape is about as thick as it is
-                         ///< anywhere: rounding goes towards it.
+  Vec<N, double> inner;  ///< A point where the shape is about as thick as anywhere: rounding goes towards it.
   double distance = 0;   ///< Of p: negative inside, or the side of a plane.
-  double measure = 0;    ///< Whether it was calculated in range: `is_usual_measure` asks it.
+  double measure = 0;    ///< Shows whether it was calculated in range, see `is_usual_measure`.
 };
 
-/// `v` at length 1, however small it is; `fallback` if it is zero.
+/// `v` normalised, however small it is; `fallback` if it is zero.
 template <Dim N>
 [[gnu::always_inline]] inline Vec<N, double> unit_or(const Vec<N, double>& v, const Vec<N, double>& fallback) {
   const double squared = dot(v, v);
@@ -51,7 +50,7 @@ template <Dim N>
   return scaled / std::sqrt(dot(scaled, scaled));
 }
 
-/// Whether a shape has an inside, however thin.
+/// Whether a shape has an interior, however thin.
 template <class S>
 inline constexpr bool has_inside = true;
 template <Dim N, class T>
@@ -106,7 +105,7 @@ template <Dim N, class T>
           squared_way + radius * radius};
 }
 
-/// A direction at right angles to `edge`, always the same; x if the edge is zero.
+/// A direction perpendicular to `edge`, always the same; x if the edge is zero.
 inline Vec<2, double> across(const Vec<2, double>& edge) { return unit_or(perpendicular(edge), unit_axis<2>(0)); }
 
 inline Vec<3, double> across(const Vec<3, double>& edge) {
@@ -115,7 +114,7 @@ inline Vec<3, double> across(const Vec<3, double>& edge) {
   return unit_or(cross(edge, unit_axis<3>(least)), unit_axis<3>(0));
 }
 
-/// `off` less what leans along `edge` (not zero). Zero if hardly anything is left: then it was all rounding.
+/// `off` minus its component along `edge` (not zero). Zero if hardly anything remains: then it was all rounding.
 template <Dim N>
 Vec<N, double> straightened(const Vec<N, double>& off, const Vec<N, double>& edge) {
   const double whole = dot(edge, edge);
@@ -124,8 +123,8 @@ Vec<N, double> straightened(const Vec<N, double>& off, const Vec<N, double>& edg
   return dot(twice, twice) > 0.25 * dot(once, once) ? twice : Vec<N, double>(0.0);
 }
 
-/// From the axis of a capsule: a point straight across. Beside the axis the vector from the foot may lean along it by
-/// roundings as large as itself, so it is straightened.
+/// From the axis of a capsule: a perpendicular point. Beside the axis the vector from the projection may have a
+/// component along it, from rounding errors as large as itself, so that is removed.
 template <Dim N, class T>
 SurfacePoint<N> surface_point(const Capsule<N, T>& capsule, const Vec<N, double>& p) {
   const ClosestOnCore<N> closest = closest_on(axis(capsule), p);
@@ -140,8 +139,8 @@ SurfacePoint<N> surface_point(const Capsule<N, T>& capsule, const Vec<N, double>
 
 // ---- Planes, half-spaces
 
-/// dot(normal, p) - offset; for doubles with the rounding of every product and sum added up, so that little is lost
-/// where they cancel. The products of floats are exact as they are.
+/// dot(normal, p) - offset; for doubles with the rounding errors of every product and sum added up, so that little is
+/// lost to cancellation. The products of floats are exact anyway.
 template <Dim N, class T>
 double height_over(const Plane<N, T>& plane, const Vec<N, double>& p) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
@@ -166,9 +165,9 @@ Dim longest_axis(const Vec<N, double>& v) {
   return longest;
 }
 
-/// The foot of the perpendicular, dropped twice: the rounding of the first is as large as p, that of the second as the
-/// foot. What remains is taken from the coordinate that the plane is steepest in, which the others determine: so the
-/// foot is on the plane as closely as those can tell, also where it should be zero.
+/// The projection to a plane, calculated twice: the rounding error of the first is relative to p, that of the second to
+/// the projection. The coordinate with the steepest normal is then recalculated from the others: so the projection is
+/// on the plane as closely as those permit, also if it should be zero.
 template <Dim N, class T>
 SurfacePoint<N> surface_point(const Plane<N, T>& plane, const Vec<N, double>& p) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
@@ -184,7 +183,7 @@ SurfacePoint<N> surface_point(const Plane<N, T>& plane, const Vec<N, double>& p)
   return {closest, closest, distance, measure};
 }
 
-/// As deep as one wants: as deep inside as the foot is far from the origin.
+/// Arbitrarily deep: as deep inside as the projection is far from the origin.
 template <Dim N, class T>
 SurfacePoint<N> surface_point(const HalfSpace<N, T>& solid, const Vec<N, double>& p) {
   SurfacePoint<N> result = surface_point(boundary(solid), p);
@@ -192,7 +191,7 @@ SurfacePoint<N> surface_point(const HalfSpace<N, T>& solid, const Vec<N, double>
   return result;
 }
 
-// ---- Triangles in space, polygons
+// ---- 3D triangles, polygons
 
 template <class T>
 SurfacePoint<3> surface_point(const Triangle<3, T>& triangle, const Vec<3, double>& p) {
@@ -201,14 +200,14 @@ SurfacePoint<3> surface_point(const Triangle<3, T>& triangle, const Vec<3, doubl
                         length_squared(corners.b - corners.a) + length_squared(corners.c - corners.a));
 }
 
-/// Counter-clockwise; on one line they stay as they are.
+/// Counter-clockwise; collinear ones are unchanged.
 template <class T>
 std::array<Vec<2, T>, 3> counter_clockwise(const Triangle<2, T>& triangle) {
   if (orientation(triangle.a, triangle.b, triangle.c) < 0) return {triangle.a, triangle.c, triangle.b};
   return triangle.vertices();
 }
 
-/// The mean of the corners; subtracted from one first, so that it is right far from the origin too.
+/// The mean of the corners; relative to one of them, so that it is accurate far from the origin too.
 template <Dim N, class T>
 Vec<N, double> middle_of(std::span<const Vec<N, T>> points) {
   const Vec<N, double> first = wide<N, T>(points.front());
@@ -217,7 +216,7 @@ Vec<N, double> middle_of(std::span<const Vec<N, T>> points) {
   return first + sum / static_cast<double>(points.size());  // never empty
 }
 
-/// Inside is what lies left of every edge of a polygon that has an area, which `orientation` decides exactly.
+/// Inside is what is left of every edge of a polygon with area, which `orientation` decides exactly.
 template <class T>
 SurfacePoint<2> surface_point_of(Corners<T> corners, const Vec<2, double>& p, double measure = 0) {
   const ClosestOnPolygon closest = closest_on_polygon(corners, p);

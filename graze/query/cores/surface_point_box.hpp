@@ -14,7 +14,7 @@
 
 namespace graze::detail {
 
-/// From inside the nearest face; of faces as near the first, by coordinates, min before max.
+/// From inside, the nearest face; of equally near faces the first, by coordinates, min before max.
 template <Dim N, class T>
 [[gnu::always_inline]] inline SurfacePoint<N> surface_point(const Aabb<N, T>& box, const Vec<N, double>& p) {
   const Vec<N, double> min = wide<N, T>(box.min);
@@ -39,16 +39,16 @@ template <Dim N, class T>
   return nearest;
 }
 
-/// Where in a box, in units of its axes, a point is or is nearest to.
+/// The position in a box, in units of its axes, where a point is or is nearest to.
 template <Dim N>
 struct PlaceInBox {
   Vec<N, double> place = Vec<N, double>(0.0);
   Vec<N, double> off;  ///< From there to the point.
 };
 
-/// Projected descent along all axes at once (Jacobi's method, with the steps clamped): each round shrinks what the axes
-/// lack of being orthonormal by twice that lack at most, until nothing but rounding is left; five are enough for a box
-/// as oblique as is allowed.
+/// Projected descent along all axes at once (Jacobi's method, with clamped steps): each round reduces the error from
+/// the axes' orthonormality error by at least twice that, until only rounding is left; five suffice for the most
+/// oblique valid box.
 template <Dim N, class T>
 PlaceInBox<N> place_in(const Obb<N, T>& box, const Vec<N, double>& p) {
   constexpr int rounds = 5;
@@ -73,8 +73,8 @@ PlaceInBox<N> place_in(const Obb<N, T>& box, const Vec<N, double>& p) {
   return result;
 }
 
-/// The rows of the adjoint matrix of a box's axes, as columns: the determinant, about 1 or -1 in a valid box, times
-/// what gives a point's place.
+/// The rows of the adjoint matrix of a box's axes, as columns: the determinant, about 1 or -1 in a valid box, times the
+/// rows of the inverse.
 inline Mat<2, double> adjoint_columns(const Mat<2, double>& axes) {
   return {-perpendicular<double>(axes[1]), perpendicular<double>(axes[0])};
 }
@@ -91,8 +91,8 @@ inline Vec<3, double> adjoint_column(const Mat<3, double>& axes, Dim i) {
   return cross(axes[(i + 1) % 3], axes[(i + 2) % 3]);
 }
 
-/// Column i is the outward normal of the face at +half_extents[i], scaled so that it gives a point's i-th place: the
-/// rows of the inverse of the axes.
+/// Column i is the outward normal of the face at +half_extents[i], scaled so that it gives a point's i-th coordinate:
+/// the rows of the inverse of the axes.
 template <Dim N>
 Mat<N, double> face_normals(const Mat<N, double>& axes) {
   Mat<N, double> normals = adjoint_columns(axes);
@@ -101,7 +101,7 @@ Mat<N, double> face_normals(const Mat<N, double>& axes) {
   return normals;
 }
 
-/// How far a point lies beyond the faces of a box, up to 3e-4 of itself and what rounding hides; zero or less: inside.
+/// How far a point is beyond the faces of a box, up to 3e-4 of itself and rounding; zero or less if inside.
 template <Dim N, class T>
 double beyond_faces(const Obb<N, T>& box, const Vec<N, double>& p) {
   const Mat<N, double> axes = wide_matrix<N, T>(box.axes);
@@ -124,7 +124,7 @@ double largest_coordinate(const Obb<N, T>& box) {
   return max_abs(reach);
 }
 
-/// From the middle to the nearest face.
+/// From the center to the nearest face.
 template <Dim N, class T>
 double thickness_of(const Obb<N, T>& box) {
   T least = box.half_extents[0];
@@ -132,19 +132,19 @@ double thickness_of(const Obb<N, T>& box) {
   return static_cast<double>(least);
 }
 
-/// The size of a point and a box as seen from its center.
+/// The size of a point and a box relative to its center.
 template <Dim N, class T>
 double size_beside(const Obb<N, T>& box, const Vec<N, double>& p) {
   return sum_abs(p - wide<N, T>(box.center)) + 2 * sum_abs(wide<N, T>(box.half_extents));
 }
 
-/// What rounding may hide of the distance between a point and a box.
+/// The rounding error of the distance between a point and a box.
 template <Dim N, class T>
 double slack_of(const Obb<N, T>& box, const Vec<N, double>& p) {
   return tolerance::rounding * size_beside(box, p);
 }
 
-/// From inside the nearest face; of faces as near the first, by axes, negative side first.
+/// From inside, the nearest face; of equally near faces the first, by axes, negative side first.
 template <Dim N, class T>
 SurfacePoint<N> surface_point(const Obb<N, T>& box, const Vec<N, double>& p) {
   const Vec<N, double> center = wide<N, T>(box.center);
@@ -166,7 +166,8 @@ SurfacePoint<N> surface_point(const Obb<N, T>& box, const Vec<N, double>& p) {
     for (const double side : {-1.0, 1.0}) {
       const double depth = -std::max(0.0, (halves[i] - side * nearest.place[i]) / length);
       if (!(depth > best.distance)) continue;
-      // From p along the normal to the face, in units of the axes, less what rounding puts beyond the face's edges.
+      // From p along the normal to the face, in units of the axes, minus the part that rounding puts beyond the face's
+      // edges.
       const Vec<N, double> outward = normals[i] * (side / length);
       Vec<N, double> place = nearest.place;
       for (Dim j = 0; j < N; ++j) place[j] -= dot(normals[j], outward) * depth;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The points at which two cores touch, when the direction from one to the other is known: points, segments, boxes and
+// The contact points of two touching cores, given the direction from one to the other: points, segments, boxes and
 // triangles in double, see features.hpp.
 #pragma once
 
@@ -19,11 +19,11 @@ namespace graze::detail {
 
 // ---- foremost_feature(core, direction, margin)
 
-/// What of a core is highest along a direction, where all else is lower by more than a margin.
+/// The highest feature of a core along a direction, if everything else is lower by more than a margin.
 template <Dim N>
 struct ForemostFeature {
   std::array<Vec<N, double>, 2> corners;
-  int count = 0;  ///< 1 for a corner, 2 for an edge; 0 where it is more, or cannot be told.
+  int count = 0;  ///< 1 for a corner, 2 for an edge; 0 if it is more, or uncertain.
 };
 
 template <Dim N>
@@ -72,7 +72,7 @@ ForemostFeature<N> foremost_feature(const BoxFrame<N>& box, const Vec<N, double>
   return feature;
 }
 
-/// Of two edges in space that are not nearly parallel.
+/// For two 3D edges that are not nearly parallel.
 inline ClosestPair<3> closest_of_crossing(const Segment<3, double>& a, const Segment<3, double>& b) {
   constexpr double least_squared_sine = 1.0 / 64;
   ClosestPair<3> best;
@@ -85,7 +85,7 @@ inline ClosestPair<3> closest_of_crossing(const Segment<3, double>& a, const Seg
   return best;
 }
 
-/// Where one core has a corner, or each an edge, that alone is near the other.
+/// If one core has a corner, or each an edge, that alone is near the other.
 template <HasEdges A, HasEdges B>
 ClosestPair<dimension_of<A>> closest_of_foremost(const A& a, const B& b, const Vec<dimension_of<A>, double>& normal,
                                                  double margin) {
@@ -107,8 +107,8 @@ ClosestPair<dimension_of<A>> closest_of_foremost(const A& a, const B& b, const V
   return best;
 }
 
-/// The points of two cores of which b only touches a, and lies in the direction `normal` of length 1 from it. A point
-/// of a below all of b by a distance is as far from b; so where points much nearer to each other are found, those need
+/// The points of two cores of which b just touches a, in the direction `normal` (unit vector). A point of a that is
+/// below all of b by a distance is at least that far from b; so if points much nearer to each other are found, it need
 /// not be tried.
 template <class A, class B>
 ClosestPair<dimension_of<A>> closest_of_touching(const A& a, const B& b, const Vec<dimension_of<A>, double>& normal,

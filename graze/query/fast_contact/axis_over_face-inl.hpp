@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The axis of a capsule over a face of a box, for one pair or many (one_pair.hpp): what pairs_over of
-// manifold_points.hpp leaves of a segment, which is cut at the four sides of a rectangle and at one height above it, in
-// closed form.
+// The part of a capsule's axis over a face of a box, for one pair or many (one_pair.hpp): the closed form of pairs_over
+// in manifold_points.hpp for a segment, which is clipped at the four sides of a rectangle and at one height above it.
 
-/// A capsule and a box, both seen from where the capsule's axis starts.
+/// A capsule and a box, both relative to the start of the capsule's axis.
 struct CapsuleAndBox {
-  Point origin;  ///< The start as it is.
-  Point way;     ///< From there to the end.
+  Point origin;  ///< The start itself.
+  Point way;     ///< From the start to the end.
   Real radius;
   Point center;
   Point half;
@@ -33,11 +32,11 @@ struct CapsulePoint {
   take(pairs, from.of_capsule, to.of_capsule);
 }
 
-/// What lies over the face is a piece of the axis. Of one pair it is cut only where it is asked for: a contact alone
-/// wants the lowest place, which is seldom at a cut.
+/// The part of the axis over the face. For one pair it is clipped only on demand: a single contact needs the lowest
+/// point, which is seldom at a clipped end.
 class AxisOverFace {
  public:
-  /// The face across an axis, at its far end or its near one.
+  /// The face across an axis, on its far or its near side.
   [[gnu::always_inline]] void set(const CapsuleAndBox& pair, Axis axis, Mask is_far) {
     origin_ = pair.origin;
     way_ = pair.way;
@@ -65,12 +64,12 @@ class AxisOverFace {
   const Point& up() const { return up_; }
   Mask is_level() const { return is_level_; }
 
-  /// Whether the lowest place of the axis is over the face: an end, or of an axis that is level any.
+  /// Whether the lowest point of the axis is over the face: an end, or any point if the axis is parallel to the face.
   Mask is_lowest_over() const { return is_lowest_over_; }
 
   [[gnu::always_inline]] Real lowest_gap() const { return gap(lowest_place_); }
 
-  /// On the face. Its depth is below zero where it is above the reach.
+  /// On the face. Its depth is negative if it is above the reach.
   [[gnu::always_inline]] CapsulePoint lowest_point() const {
     CapsulePoint point = point_at(lowest_place_, feature_of_face(axis_, is_far_),
                                   select(is_end_lowest_, all(second_vertex), all(first_vertex)));
@@ -78,7 +77,8 @@ class AxisOverFace {
     return point;
   }
 
-  /// Sets the ends of the piece, in their order along the axis. Returns whether all is told by more than rounding.
+  /// Sets the ends of the part, in their order along the axis. Returns whether everything is decided by more than
+  /// rounding.
   [[gnu::always_inline]] Mask put_points(CapsulePoint (&points)[2]) {
     if (!any_likely(is_level_)) cut();
     if (!any_likely(is_piece_clear_)) return is_piece_clear_;
@@ -88,15 +88,15 @@ class AxisOverFace {
   }
 
  private:
-  // The way of all shapes may find the normal turned by the root of what rounding is: of places beside each other that
-  // are as near up to rounding it takes any.
+  // The general algorithm may find a normal with an error of the square root of rounding: of neighbouring points that
+  // are equally near up to rounding, it takes any.
   static constexpr double least_clear = 1e-7;
 
-  /// The coordinate of the axis between two opposite sides of the face, which stand up from it along its normal.
+  /// The coordinate of the axis between two opposite sides of the face; the sides extend along its normal.
   struct Slab {
     Real start;
     Real way;
-    Real per_way;  ///< A way of zero passes the sides at infinity.
+    Real per_way;  ///< If the offset is zero, the axis crosses the sides at infinity.
     Real half;
 
     [[gnu::always_inline]] Real enters() const { return (-copysign(half, way) - start) * per_way; }
@@ -105,11 +105,11 @@ class AxisOverFace {
     [[gnu::always_inline]] Real room(Real place) const { return half - fabs(at(place)); }
   };
 
-  /// Where what lies over the face ends, and on what.
+  /// An end of the part over the face, and what it lies on.
   struct End {
     Real place;
     Mask is_vertex;
-    Mask is_at_slab[2];  ///< The slab that it is at a side of, if not at the height of the radius.
+    Mask is_at_slab[2];  ///< The slab at whose side it is, if it is not at the height of the radius.
     Mask is_clear;
   };
 
@@ -120,10 +120,10 @@ class AxisOverFace {
   }
 
   [[gnu::always_inline]] Real gap(Real place) const { return rise_ * place - top_; }
-  /// Where the axis passes the height of the radius: a rise of zero does so at infinity, or nowhere.
+  /// Where the axis crosses the height of the radius: at infinity or nowhere if its rise is zero.
   [[gnu::always_inline]] Real at_height() const { return (radius_ + top_) / rise_; }
 
-  /// Of an axis that is level an end that is over the face, the start before the end.
+  /// If the axis is parallel to the face, an end that is over the face; the start is preferred.
   [[gnu::always_inline]] void find_lowest() {
     if (any_likely(is_level_)) cut();
     is_end_lowest_ = rise_ < 0.0;
@@ -139,7 +139,7 @@ class AxisOverFace {
     return slabs_[0].room(place) > margin_ && slabs_[1].room(place) > margin_ && radius_ - gap(place) > margin_;
   }
 
-  /// A box that is nearly flat has other names for what is cut.
+  /// If a box is nearly flat, the features of clipped ends are different.
   [[gnu::always_inline]] void cut() {
     find_low();
     find_high();
@@ -152,7 +152,7 @@ class AxisOverFace {
     const Real c = select(rise_ < 0.0, at_height(), all(-1.0));
     const Real last = max_of(max_of(a, b), c);
     set_end(max_of(last, all(0.0)), !(last > 0.0), b, c, low_);
-    // The second last, so that the last has something to cut off.
+    // The second last, so that the last one clips.
     const Real before = max_of(max_of(min_of(a, b), min_of(max_of(a, b), c)), all(0.0));
     low_.is_clear = low_.is_clear && (low_.is_vertex || is_cut_clear(last - before, low_));
   }
@@ -167,7 +167,7 @@ class AxisOverFace {
     high_.is_clear = high_.is_clear && (high_.is_vertex || is_cut_clear(next - first, high_));
   }
 
-  /// Clear if it is under all other planes that cut.
+  /// Certain if it is below all other clipping planes.
   [[gnu::always_inline]] void set_end(Real place, Mask is_vertex, Real second, Real third, End& end) const {
     end.place = place;
     end.is_vertex = is_vertex;
@@ -179,7 +179,7 @@ class AxisOverFace {
                    ((!is_vertex && is_at_height) || radius_ - gap(place) > margin_);
   }
 
-  /// Whether a plane cuts off so much of the way, and is not passed at so small an angle that rounding moves the place.
+  /// Whether a plane clips at least such a share, and the angle is not so small that rounding moves the intersection.
   [[gnu::always_inline]] Mask is_cut_clear(Real share, const End& end) const {
     const Real rate = fabs(select(end.is_at_slab[0], slabs_[0].way, select(end.is_at_slab[1], slabs_[1].way, rise_)));
     return share * rate > margin_ && rate > thin_;
@@ -206,10 +206,10 @@ class AxisOverFace {
   Real radius_;
   Axis axis_;
   Mask is_far_;
-  Real margin_;  ///< What is in doubt of a place over the face.
+  Real margin_;  ///< The error bound for a point over the face.
   Real thin_;
   Point up_;
-  Real top_;   ///< How high the face is.
+  Real top_;   ///< The height of the face.
   Real rise_;  ///< How much higher the end of the axis is than its start.
   Slab slabs_[2];
   Mask is_level_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How capsules and boxes touch each other in the plane: what penetration_of_simple and the patches of
-// manifold.hpp find for any two shapes, of pairs whose cores are nearest, or least deep, at a side of one of them or
-// clearly between two corners. As Box2D has it (Catto, "Contact Manifolds", GDC 2007): a side of one is the reference,
-// and what lies over it of a side of the other is cut. Include manifold.hpp.
+// Contacts of 2D capsules and boxes: the same results as the general penetration_of_simple and the patches of
+// manifold.hpp, for pairs whose cores are nearest or least deep at a side of one of them, or clearly between two
+// corners. As in Box2D (Catto, "Contact Manifolds", GDC 2007), a side of one is the reference, and a side of the other
+// is clipped to it. Include manifold.hpp.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@
 
 namespace graze::detail {
 
-/// A look that may show both points of a manifold.
+/// A result that may include both points of a manifold.
 struct FastContact2d : FastContact<2> {
   std::array<SurfacePair<2>, 2> points;
   std::size_t size = 0;
@@ -38,7 +38,7 @@ struct FastContact2d : FastContact<2> {
 
 using one_pair::Core2d;
 
-/// The feature of the side of a core across an axis, at its half edge or, with -1, against it.
+/// The feature of the side of a core across an axis, at its half edge or, with -1, on the opposite side.
 template <std::size_t axes>
 [[gnu::always_inline]] inline Feature side_feature(const Core2d<axes>& /*core*/, bool across_second, double at) {
   return {FeatureKind::edge, axes == 2 ? (across_second ? 2U : 0U) | (at > 0 ? 1U : 0U) : 0U};
@@ -47,28 +47,28 @@ template <std::size_t axes>
 [[gnu::always_inline]] inline Feature corner_feature(const Core2d<axes>& /*core*/, const Vec<2, double>& sides) {
   return {FeatureKind::vertex, (sides.x > 0 ? 1U : 0U) | (axes > 1 && sides.y > 0 ? 2U : 0U)};
 }
-/// Of the corner at one end of a side: `end` along the other axis.
+/// The feature of the corner at one end of a side: `end` along the other axis.
 template <std::size_t axes>
 [[gnu::always_inline]] inline Feature corner_of_side(const Core2d<axes>& core, bool across_second, double at,
                                                      double end) {
   return corner_feature(core, across_second ? Vec<2, double>(end, at) : Vec<2, double>(at, end));
 }
 
-/// One of two that belong to the axes. Never by a place that is looked up: arrays would have to be in memory for it.
+/// One of two values that belong to the axes. Not by an index, because arrays would then have to be in memory.
 template <class V>
 [[gnu::always_inline]] inline V of_axis(bool is_second, const V (&of_axes)[2]) {
   return is_second ? of_axes[1] : of_axes[0];
 }
 
-/// Two cores in the order of their contact, with so many axes each, one or two. Written twice, here and for many pairs
-/// (broad/contacts/2d/boxes-inl.hpp): in one source, which has to choose where this has a branch, boxes took 1.15 times
+/// Two cores in the order of their contact, with one or two axes each. Written twice, here and for many pairs
+/// (broad/contacts/2d/boxes-inl.hpp): with one source, which has to select where this branches, boxes took 1.15 times
 /// as long.
 template <std::size_t first_axes, std::size_t second_axes>
 class Contact2d {
  public:
   using V = Vec<2, double>;
 
-  /// Seen from `origin`. `turns` if the second is the first of the pair.
+  /// Relative to `origin`. `turns` if the second core is the first shape of the pair.
   [[gnu::always_inline]] Contact2d(const V& origin, const Core2d<first_axes>& first, const Core2d<second_axes>& second,
                                    bool turns)
       : origin_(origin),
@@ -86,7 +86,7 @@ class Contact2d {
     FastContact2d look;
     look.is_known = depth < -doubt_;
     look.found.error = 2 * noise_;
-    // Sides that are too short to have a direction, and numbers that are not moderate, are left.
+    // Sides too short to have a direction, and very large or small numbers, are left to the general algorithm.
     const double shortest = std::min(first_.shortest(), second_.shortest());
     const bool is_plain = shortest > least_share * size_ && size_ > 0x1p-400 && size_ < 0x1p400 && depth > doubt_;
     if (!is_plain) return look;
@@ -103,22 +103,22 @@ class Contact2d {
   static constexpr double least_share = tolerance::known_direction;
   static constexpr bool are_boxes = first_axes == 2 && second_axes == 2;
 
-  /// A side of a core: across which axis, at its half edge or, with -1, against it, and its normal.
+  /// A side of a core: the axis it is across, whether it is at its half edge or, with -1, opposite, and its normal.
   struct Side {
     bool across_second;
     double at;
     V up;
   };
 
-  /// The reference side and the other core's: the ends of that as the reference sees them from its middle, and what is
-  /// left of the way from one end to the other.
+  /// The reference side and the other core's side: the ends of the other side relative to the middle of the reference
+  /// side, and the part that remains of it after clipping.
   struct Cut {
     Side own;
     bool across_second;  ///< The other side is across that axis.
     double at;
     V middle;     ///< Of the other side.
     V half_edge;  ///< From there to its end.
-    double half;  ///< Of the reference side.
+    double half;  ///< Half the length of the reference side.
     double other_half;
     std::array<double, 2> along;
     std::array<double, 2> above;
@@ -135,7 +135,7 @@ class Contact2d {
     }
   }
 
-  // ---- The side on which the cores are least deep
+  // ---- The side of least depth
 
   [[gnu::always_inline]] void find_side() {
     if constexpr (first_axes == 2) try_side(first_, second_, 0, true);
@@ -144,7 +144,7 @@ class Contact2d {
     try_side(second_, first_, 1, false);
   }
 
-  /// Of sides that are as good, up to rounding, the first.
+  /// Of sides that are equally good up to rounding, the first.
   template <class Own, class Other>
   [[gnu::always_inline]] void try_side(const Own& own, const Other& other, std::size_t axis, bool is_of_first) {
     const V& normal = own.normal[axis];
@@ -160,14 +160,14 @@ class Contact2d {
     up_ = normal * side_;
   }
 
-  // ---- What lies over the reference side
+  // ---- The part over the reference side
 
   template <bool of_first>
   [[gnu::always_inline]] void over_side(const Side& own_side, FastContact2d& look) const {
     Cut cut = cut_at_ends<of_first>(own_side);
     const double margin = least_share * size_;
     const double rise = cut.above[1] - cut.above[0];
-    // The lowest place is an end that is clearly over the side; where both are as low, any place that is left.
+    // The lowest point is an end that is clearly over the side; if both ends are equally low, any remaining point.
     const double lowest = rise < 0 ? cut.along[1] : cut.along[0];
     const double left = (cut.share[1] - cut.share[0]) * std::fabs(cut.along[1] - cut.along[0]);
     const bool is_clear = std::fabs(lowest) < cut.half - margin || (std::fabs(rise) <= noise_ && left > margin);
@@ -199,7 +199,7 @@ class Contact2d {
     const double half_rise = dot(cut.half_edge, own_side.up);
     cut.along = {middle - half_way, middle + half_way};
     cut.above = {height - half_rise, height + half_rise};
-    // What is beyond the ends by more than rounding is cut.
+    // Anything beyond the ends by more than rounding is clipped.
     const double per_way = 0.5 / half_way;
     for (std::size_t i = 0; i < 2; ++i) {
       cut.is_cut[i] = std::fabs(cut.along[i]) > cut.half + doubt_;
@@ -209,20 +209,19 @@ class Contact2d {
     return cut;
   }
 
-  /// Whether it is the side across the second axis that looks most against a direction: of those that do so as much the
-  /// first.
+  /// Whether the side across the second axis faces most against a direction; of equally good sides, the first.
   template <std::size_t axes>
   [[gnu::always_inline]] static bool is_second_incident(const Core2d<axes>& other, const V& up) {
     if constexpr (axes < 2) return true;
     return looks_more(std::fabs(dot(other.normal[1], up)), std::fabs(dot(other.normal[0], up)));
   }
 
-  /// Whether a side of a box rests on one, up to `high`: as FacingPatches has it.
+  /// Whether a side of a box rests on another, up to `high`; as in FacingPatches.
   [[gnu::always_inline]] bool is_resting(const Cut& cut, double high) const {
     return are_boxes && high <= 2 * tolerance::aligned * std::min(cut.half, cut.other_half);
   }
 
-  /// Whatever is above the reach is cut, too, unless all rests.
+  /// Anything above the reach is clipped, too, unless the whole side rests.
   template <bool of_first>
   [[gnu::always_inline]] void on_side(Cut& cut, FastContact2d& look) const {
     if (!(cut.share[0] < cut.share[1])) return;  // beside the side
@@ -231,7 +230,7 @@ class Contact2d {
     const double end = cut.above[0] + rise * cut.share[1];
     bool is_start_high = start > reach_ + doubt_;
     bool is_end_high = end > reach_ + doubt_;
-    if (is_start_high && is_end_high) return;  // rounding hides what is below
+    if (is_start_high && is_end_high) return;  // rounding hides whether anything is below
     if (is_resting(cut, std::max(start, end))) is_start_high = is_end_high = false;
     const double at_height = (reach_ - cut.above[0]) / rise;
     if (is_start_high) cut.share[0] = at_height;
@@ -243,7 +242,7 @@ class Contact2d {
     take_point(look, look.points[1].depth > look.points[0].depth);
   }
 
-  /// What is left of a side at one of its ends.
+  /// The point at one end of the clipped side.
   template <bool of_first>
   [[gnu::always_inline]] void put_point(const Cut& cut, std::size_t i, bool is_high, SurfacePair<2>& point) const {
     const auto& own = this->own<of_first>();
@@ -262,8 +261,7 @@ class Contact2d {
     put_pair<of_first>(on_other + up * depth, on_other, depth, {of_own, of_other}, point);
   }
 
-  /// Where a side of the first core looks along the normal, too, it is that which carries the points, if not the
-  /// contact.
+  /// If a side of the first core faces along the normal, too, the points are on that side, even if the contact is not.
   [[gnu::always_inline]] void take_carried_points(FastContact2d& look) const {
     const bool is_first_along = first_axes == 2 && is_along(first_.normal[0]);
     if (is_first_along || is_along(first_.normal[1])) carry(!is_first_along, look);
@@ -285,7 +283,7 @@ class Contact2d {
 
   // ---- Corners
 
-  /// Cores that are apart, nearest at a corner of each.
+  /// Disjoint cores that are nearest at a corner of each.
   template <bool of_first>
   [[gnu::always_inline]] void between_corners(FastContact2d& look) const {
     const auto& own = this->own<of_first>();
@@ -308,7 +306,8 @@ class Contact2d {
     take_point(look, false);
   }
 
-  /// Whether a way from a corner leads away from both sides, by more than what would be laid flat on one.
+  /// Whether a direction from a corner points away from both sides, by more than the angle within which shapes lie flat
+  /// on a side.
   template <std::size_t axes>
   [[gnu::always_inline]] static bool is_beyond(const Core2d<axes>& core, const V& sides, const V& way,
                                                double distance) {
@@ -319,7 +318,7 @@ class Contact2d {
 
   // ---- From the first of the pair to the second
 
-  /// With the normal from the first core to the second, but no points.
+  /// With the normal from the first core to the second, but without points.
   [[gnu::always_inline]] void put_found(double depth, const V& normal, FastContact2d& look) const {
     look.is_known = true;
     look.meets = depth > 0;
@@ -372,7 +371,7 @@ template <class A, class B>
   return Contact2d(origin, core_of_first, core_of_second, turns).run();
 }
 
-/// Of two of a type, in the order of their contact.
+/// For two shapes of a type, in the order of their contact.
 template <class S>
 FastContact2d fast_contact_2d_of_alike(const S& a, const S& b, bool turns) {
   const bool is_first = is_in_order(a, b);
@@ -387,7 +386,7 @@ template <class T>
 FastContact2d find_fast_contact(const Obb<2, T>& box, const Capsule<2, T>& capsule, bool turns) {
   return fast_contact_2d(box, capsule, turns);
 }
-/// The oriented one is the first in the order of contacts.
+/// The oriented box is the first in the order of contacts.
 template <class T>
 FastContact2d find_fast_contact(const Aabb<2, T>& a, const Obb<2, T>& b, bool turns) {
   return fast_contact_2d(b, a, !turns);

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// How a capsule touches a box in space, for one pair or many (one_pair.hpp): what penetration_of_simple and the patches
-// of manifold.hpp find for any two shapes, of capsules whose axis is clearly out of the box or clearly in it, and the
-// nearest to its surface over one of its faces, or at one place of an edge or a corner.
+// Contacts of capsules and 3D boxes, for one pair or many (one_pair.hpp): the same results as the general
+// penetration_of_simple and the patches of manifold.hpp, for capsules whose axis is clearly outside or clearly inside
+// of the box, and nearest to its surface over a face or at a single point of an edge or a corner.
 
 struct CapsuleContact {
-  Mask is_apart;   ///< For certain; then nothing else counts, but the error.
-  Mask meets;      ///< For certain, as is said below. If neither, nothing counts.
-  Mask is_over;    ///< Whether it is on a face.
-  Mask is_single;  ///< If not, whether the manifold is the point below alone.
+  Mask is_apart;   ///< Certainly; then only the error is valid besides.
+  Mask meets;      ///< Certainly, as described below. If neither, nothing is valid.
+  Mask is_over;    ///< Whether the contact is on a face.
+  Mask is_single;  ///< If it is not on a face: whether the manifold is only the point below.
   Point normal;    ///< From the box to the capsule.
   Real error;
-  CapsulePoint point;  ///< If it is not on a face.
-  AxisOverFace over;   ///< If it is.
+  CapsulePoint point;  ///< Only if it is not on a face.
+  AxisOverFace over;   ///< Only if it is on a face.
 };
 
-/// Of many pairs a group goes all the ways that one of them has to, and each keeps what its own has found.
+/// With many pairs, a group takes every path that any of its pairs needs, and each pair keeps its own result.
 class CapsuleOnBox {
  public:
   [[gnu::always_inline]] CapsuleOnBox(const CapsuleAndBox& pair, CapsuleContact& contact)
@@ -24,7 +24,7 @@ class CapsuleOnBox {
       way_.way[i] = dot(pair.way, pair.axes[i]);
     }
     way_.half = pair.half;
-    // Of places, by the axes: twice what the quick test of a sphere allows for, and what is far above rounding.
+    // Error bound of points due to the axes: twice the tolerance of the filter for spheres, and far above rounding.
     constexpr double least_orthonormality_error = 1e-10;
     doubt_ =
         2 * tolerance::box_filter * (orthonormality_error_of_axes(pair.axes) + least_orthonormality_error) * pair.size;
@@ -57,7 +57,7 @@ class CapsuleOnBox {
   }
 
  private:
-  /// Where the axis is seen to be: nearest at t, which is there.
+  /// The position of the axis relative to the box: nearest at t, where it is at this point.
   struct Seen {
     Real t;
     const Point& place;
@@ -66,7 +66,7 @@ class CapsuleOnBox {
     const MinimumTranslation& out;
   };
 
-  /// The middle of the edge at the sides that a place is beyond, or a corner.
+  /// The middle of the edge between the sides that a point is beyond, or a corner.
   struct BoxFeature {
     Point middle;
     FeatureName name;
@@ -85,21 +85,21 @@ class CapsuleOnBox {
     }
   };
 
-  /// On a face that the normal is hardly turned from it would be laid flat.
+  /// A capsule on a face, from which the normal hardly deviates, would lie flat on it.
   [[gnu::always_inline]] static Mask is_steep(const PlaceByFaces& by_faces) {
     constexpr double least_cosine = 16 * tolerance::aligned;
     return by_faces.least_beyond > least_cosine * sqrt(by_faces.squared);
   }
 
-  /// Whether a place on the axis is clearly between its ends.
+  /// Whether a point of the axis is clearly between its ends.
   [[gnu::always_inline]] Mask is_between_ends(Real t) const {
     const Real length = max_abs(pair_.way);
     const Real along = t * length;
     return along > doubt_ && length - along > doubt_;
   }
 
-  /// An end beside an edge or a corner, or the axis beside a corner. The axis' place at an end is the nearest if the
-  /// way from it leads away from the box' nearest point: both are convex.
+  /// An end next to an edge or a corner, or the axis next to a corner. The point at an end is the nearest one if the
+  /// axis leads from it away from the nearest point of the box: both are convex.
   [[gnu::always_inline]] void pass_by(Mask pairs, const Seen& seen) {
     const auto& [t, place, by_faces, is_in, out] = seen;
     const Point& way = pair_.way;
@@ -133,9 +133,9 @@ class CapsuleOnBox {
     contact_.is_single = is_steep(by_faces);
   }
 
-  /// The axis is nearest to an edge between its ends, or the soonest out of the box past one. Where two lines are
-  /// nearest, as in segment_filter.hpp. The normal is across both, on the side of the edge that is out of the box, on
-  /// which the axis need not be.
+  /// The axis is nearest to an edge between its ends, or has its least depth there. The nearest points of two lines, as
+  /// in segment_filter.hpp. The normal is perpendicular to both and points outwards at the edge; the axis need not be
+  /// on that side.
   [[gnu::always_inline]] void cross_edge(Mask pairs, const Seen& seen) {
     const auto& [t, outer_place, by_faces, is_in, out] = seen;
     constexpr double least_sine_squared = 1.0 / 64;
@@ -167,7 +167,7 @@ class CapsuleOnBox {
     take(pairs, select(is_in, out.is_oblique, is_steep(by_faces)), contact_.is_single);
   }
 
-  /// On a face, or the soonest out of the box across it. The lowest place is the nearest, or the deepest, if it is over
+  /// On a face: the least distance or depth is across it. The lowest point is the nearest or deepest one if it is over
   /// the face.
   [[gnu::always_inline]] void lie_on_face(Mask pairs, const Seen& seen) {
     const auto& [t, place, by_faces, is_in, out] = seen;
@@ -180,7 +180,7 @@ class CapsuleOnBox {
     contact_.is_over = pairs;
   }
 
-  /// Of these pairs; what is known of a depth, if it is known where it is.
+  /// For these pairs: the depth, if the contact point is known.
   [[gnu::always_inline]] void put(Mask pairs, const Point& normal, Real depth, Mask is_place_known) {
     const Real doubt = tolerance::coarse * pair_.size;
     take(pairs, is_place_known && depth < -doubt, contact_.is_apart);

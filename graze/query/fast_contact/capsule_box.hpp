@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a capsule touches a box in space: a quick look by capsule_box-inl.hpp. Include manifold.hpp.
+// Fast contacts of capsules and 3D boxes, by capsule_box-inl.hpp. Include manifold.hpp.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 #include <graze/shape/obb.hpp>
 
 namespace graze::detail::one_pair {
-// Each after what it needs.
+// Each header after those that it needs.
 // clang-format off
 #include <graze/query/fast_contact/minimum_translation-inl.hpp>
 #include <graze/query/fast_contact/axis_over_face-inl.hpp>
@@ -27,7 +27,7 @@ namespace graze::detail::one_pair {
 
 namespace graze::detail {
 
-/// On a face a capsule may have two points, which not all who look want.
+/// On a face a capsule may have two points, which not every caller needs.
 struct CapsuleLook : FastContact<3> {
   one_pair::CapsuleContact contact;
   bool turns;
@@ -45,7 +45,7 @@ struct CapsuleLook : FastContact<3> {
     return 2;
   }
 
-  /// By what was found, if it is known that they meet.
+  /// Sets the result, if the two certainly meet.
   [[gnu::always_inline]] void set_found() {
     is_known = contact.is_apart || contact.meets;
     meets = contact.meets;

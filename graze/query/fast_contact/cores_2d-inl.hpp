@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The cores of capsules and boxes in 2D as one kind of thing, for one pair or many (one_pair.hpp): a rectangle, which
-// may have no height.
+// The cores of 2D capsules and boxes in a common form, for one pair or many (one_pair.hpp): a rectangle, which may have
+// no height.
 
-/// Seen from near the pair. The corners are at the center and a half edge, or minus that, along each of so many axes: a
-/// segment has one.
+/// Relative to a point near the pair. The corners are at the center plus or minus a half edge along each axis; a
+/// segment has one axis.
 template <std::size_t axes>
 struct Core2d {
   Point2d center;
   Point2d half_edge[2];
   Point2d along[2];  ///< The same of length 1.
   Real half_length[2];
-  Point2d normal[2];  ///< Of length 1: of the sides across an axis, of those at half_edge.
+  Point2d normal[2];  ///< Unit normals: of the sides across each axis, those at half_edge.
   Real radius;
 
-  /// Sets all to zero. No constructor: those of structs that hold a core would call it, and of many pairs these are
-  /// compiled for any machine.
+  /// Sets all to zero. Not a constructor: constructors of structs that hold a core would call it, and those for many
+  /// pairs are compiled for any machine.
   [[gnu::always_inline]] void clear() {
     center = zero<Point2d>();
     radius = all(0.0);
@@ -33,12 +33,12 @@ struct Core2d {
     return axes == 1 ? half_length[0] : min_of(half_length[0], half_length[1]);
   }
 
-  /// With how far along the axes a corner is, 1 or -1.
+  /// The corner with these signs, 1 or -1, along the axes.
   [[gnu::always_inline]] Point2d corner(const Point2d& sides) const {
     return center + half_edge[0] * sides[0] + half_edge[1] * sides[1];
   }
 
-  /// On which side of the center along each axis a place is.
+  /// The side of the center that a point is on, along each axis.
   [[gnu::always_inline]] Point2d sides_of(const Point2d& place) const {
     const Point2d off = place - center;
     return {side_of(dot(off, half_edge[0])), side_of(dot(off, half_edge[1]))};
@@ -102,7 +102,7 @@ struct AabbNumbers2d {
   return core;
 }
 
-/// Where a pair that begins with such a shape is seen from.
+/// The origin for a pair whose first shape is this one.
 [[gnu::always_inline]] inline const Point2d& origin_2d(const CapsuleNumbers<Point2d>& capsule) { return capsule.start; }
 [[gnu::always_inline]] inline const Point2d& origin_2d(const ObbNumbers2d& box) { return box.center; }
 [[gnu::always_inline]] inline const Point2d& origin_2d(const AabbNumbers2d& box) { return box.min; }

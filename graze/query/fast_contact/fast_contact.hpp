@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fast_contact(a, b): a quick look at two shapes, either first, if there is one for their types.
+// fast_contact(a, b): a fast contact of two shapes, in any order, if there is one for their types.
 #pragma once
 
 #include <graze/query/fast_contact/boxes_2d.hpp>
@@ -14,7 +14,7 @@
 
 namespace graze::detail {
 
-/// Whether there is a quick look at two shapes in this order.
+/// Whether there is a fast contact of two shapes in this order.
 template <class A, class B>
 concept HasFastContact = requires(const A& a, const B& b) {
   find_fast_contact(a, b, false);
@@ -23,7 +23,7 @@ concept HasFastContact = requires(const A& a, const B& b) {
 template <class A, class B>
 inline constexpr bool has_fast_contact = HasFastContact<A, B> || HasFastContact<B, A>;
 
-/// A FastContact, or what is one and more, with the normal from the first of the two.
+/// A FastContact, or a class derived from it, with the normal from the first shape to the second.
 template <class A, class B>
 requires has_fast_contact<A, B>
 auto fast_contact(const A& a, const B& b) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a quick look at two shapes shows: find_fast_contact(a, b, turns), in spheres_and_capsules.hpp, sphere_box.hpp,
+// The results of fast contacts: find_fast_contact(a, b, turns), in spheres_and_capsules.hpp, sphere_box.hpp,
 // capsule_box.hpp, sphere_2d.hpp, boxes_2d.hpp, half_space.hpp and sphere_triangle.hpp.
 #pragma once
 
@@ -12,18 +12,18 @@
 
 namespace graze::detail {
 
-/// How two shapes touch, where that is plain to see. Whoever looks is told which way round it is wanted: to turn it
-/// afterwards means to copy it, which takes longer than to find it.
+/// The contact of two shapes, in cases that are easy to decide. The calculation takes the desired order as an argument:
+/// swapping afterwards would copy the result, which takes longer than the calculation.
 template <Dim N>
 struct FastContact {
-  bool is_known = false;   ///< If not, nothing else counts.
-  bool meets = false;      ///< If not, nothing else counts, but the error.
-  bool is_single = false;  ///< Whether the manifold is this point alone, on the features below.
+  bool is_known = false;   ///< If not, nothing else is valid.
+  bool meets = false;      ///< If not, only the error is valid besides.
+  bool is_single = false;  ///< Whether the manifold is only this point, on the features below.
   Penetration<N> found;
   Feature feature_a{FeatureKind::vertex, 0};
   Feature feature_b{FeatureKind::vertex, 0};
 
-  /// Of what was found from the first to the second shape that were looked at, or from the second to the first.
+  /// Sets what was calculated from the first to the second shape given, or from the second to the first.
   [[gnu::always_inline]] void set(const Vec<N, double>& normal, double depth, const Vec<N, double>& on_first,
                                   const Vec<N, double>& on_second, bool turns) {
     found.normal = normal * (turns ? -1.0 : 1.0);
@@ -37,7 +37,7 @@ struct FastContact {
     feature_b = turns ? first : second;
   }
 
-  /// Those of the manifold, if they are plain to see. Returns how many they are.
+  /// The points of the manifold, if they are known. Returns their number.
   [[gnu::always_inline]] std::size_t put_points(SurfacePair<N>* points) const {
     if (!is_single) return 0;
     points[0] = {found.point_a, found.point_b, found.depth, feature_a, feature_b};

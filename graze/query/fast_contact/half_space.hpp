@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How spheres, capsules and boxes touch planes and half-spaces: what penetration_in_half_space finds for every convex
-// shape, of those that clearly meet or clearly do not, by plain sums. Include manifold.hpp.
+// Contacts of spheres, capsules and boxes with planes and half-spaces: what penetration_in_half_space finds for every
+// convex shape, for pairs that clearly meet or are clearly disjoint, by plain sums. Include manifold.hpp.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 
 namespace graze::detail {
 
-/// The boundary of a plane or a half-space, and what a look at it needs.
+/// The boundary of a plane or a half-space, and data for its contacts.
 template <Dim N>
 class HalfSpaceContact {
  public:
@@ -39,11 +39,12 @@ class HalfSpaceContact {
   const Vec<N, double>& normal() const { return normal_; }
   double length() const { return length_; }
 
-  /// How high a place is, in units of the normal.
+  /// The height of a point, in units of the normal.
   double height_of(const Vec<N, double>& place) const { return dot(normal_, place) - offset_; }
 
-  /// Of a shape whose core has its lowest and its highest point at two places, with all that is added up for them in
-  /// `magnitude`. From the level to the shape, unless it `turns`; a plane pushes it to the side that is nearer.
+  /// The contact of a shape whose core has its lowest and its highest point at these two points; `magnitude` is the sum
+  /// of all magnitudes involved. From the boundary to the shape, unless it `turns`; a plane pushes the shape to the
+  /// nearer side.
   FastContact<N> look(const Vec<N, double>& lowest, const Vec<N, double>& highest, double radius,
                       const Vec<N, double>& magnitude, bool turns) const {
     const double below = height_of(lowest);
@@ -138,16 +139,16 @@ FastContact<N> look_at_half_space(const Level& level, const Aabb<N, T>& box, boo
   return touch.look(lowest, highest, 0, max(abs(low), abs(high)), turns);
 }
 
-// ---- Boxes that lie on a level with a whole face
+// ---- Boxes with a whole face on the boundary
 
 /// The corners of one face of a box.
 template <Dim N>
 using FacePairs = std::array<SurfacePair<N>, N == 2 ? 2 : 4>;
 
-/// Which face of a box looks along a direction, if one does clearly more than the others.
+/// The face of a box that faces along a direction, if it does so clearly more than the others.
 template <Dim N>
 std::optional<BoxFaceNumbers> face_along(const Mat<N, double>& axes, const Vec<N, double>& direction) {
-  constexpr double clearly = 16 * tolerance::orthonormal;  // as for oriented boxes among themselves
+  constexpr double clearly = 16 * tolerance::orthonormal;  // as between oriented boxes
   double best = -1;
   double second = -1;
   BoxFaceNumbers face;
@@ -162,7 +163,7 @@ std::optional<BoxFaceNumbers> face_along(const Mat<N, double>& axes, const Vec<N
   return face;
 }
 
-/// The number of a corner of a face, and where it is, in half edges from the middle of the box.
+/// The number of a corner of a face and its position, in half edges from the middle of the box.
 template <Dim N>
 std::uint32_t vertex_of_face(const BoxFaceNumbers& face, std::uint32_t corner) {
   if constexpr (N == 3) {
@@ -172,8 +173,8 @@ std::uint32_t vertex_of_face(const BoxFaceNumbers& face, std::uint32_t corner) {
   }
 }
 
-/// What holds a box apart from a level, `found` from the box to the level: the corners of the face that looks along the
-/// normal, where all of them are clearly in the level, so that nothing is to be cut.
+/// The manifold of a box and a boundary, `found` from the box to the boundary: the corners of the face along the
+/// normal, if all of them are clearly below the boundary, so that nothing is clipped.
 template <Dim N>
 std::optional<FacePairs<N>> corners_on_boundary(const Vec<N, double>& center, const Mat<N, double>& axes,
                                                 const Vec<N, double>& half_extents, const Penetration<N>& found) {

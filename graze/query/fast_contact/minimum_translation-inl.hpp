@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A segment as a box in space sees it, for one pair or many (one_pair.hpp): where it is nearest, and in which direction
-// it is out of the box the soonest, by the separating-axis test of parting_axis.hpp in the box' own coordinates, where
-// all but one of the directions are clearly worse.
+// A segment relative to a 3D box, for one pair or many (one_pair.hpp): the nearest point, and the direction of least
+// depth, by the separating-axis test of parting_axis.hpp in the box's own coordinates, for pairs where all but one of
+// the directions are clearly worse.
 
-/// By the box' axes, up to how far these are from orthonormal.
+/// In the box's own coordinates, as far as its axes are orthonormal.
 struct WayPastBox {
   Point start;
   Point way;
@@ -11,7 +11,7 @@ struct WayPastBox {
 
   [[gnu::always_inline]] Point at(Real t) const { return start + way * t; }
 
-  /// Half of how the squared distance grows with t, which is more the larger t is.
+  /// Half the derivative of the squared distance with respect to t, which increases with t.
   [[gnu::always_inline]] Real slope(Real t) const {
     Point terms;
     for (Dim i = 0; i < 3; ++i) {
@@ -21,7 +21,7 @@ struct WayPastBox {
     return terms[0] + terms[1] + terms[2];
   }
 
-  /// Where it is nearest, from 0 to 1: the slope is a straight line between the places where the segment passes a side.
+  /// The nearest point, from 0 to 1: the slope is linear between the points where the segment crosses a side.
   [[gnu::always_inline]] Real nearest() const {
     Real low = all(0.0);
     Real high = all(1.0);
@@ -51,14 +51,14 @@ struct WayPastBox {
   }
 };
 
-/// On which side of a box' faces a place is, by more than what is in doubt.
+/// The position of a point relative to a box's faces, by more than the error bound.
 struct PlaceByFaces {
   Mask is_beyond[3];
   Mask is_one;    ///< Beyond the faces across one axis only, ...
   Mask is_two;    ///< ... or two.
   Axis last;      ///< The last of them.
-  Mask is_clear;  ///< Whether it is in no doubt on which side it is.
-  Real squared;   ///< How far it is from the box.
+  Mask is_clear;  ///< Whether all sides are certain.
+  Real squared;   ///< The squared distance from the box.
   Real least_beyond;
 
   [[gnu::always_inline]] PlaceByFaces(const Point& place, const Point& half, Real doubt)
@@ -85,8 +85,7 @@ struct PlaceByFaces {
 /// Across a face, or across an edge of the box and the segment.
 class MinimumTranslation {
  public:
-  /// `doubt` is what is in doubt of how far out it is, `noise` what rounding makes of a coordinate. Of these pairs, if
-  /// any.
+  /// `doubt` is the error bound of the depth, `noise` the rounding error of a coordinate. Only for these pairs.
   [[gnu::always_inline]] MinimumTranslation(const WayPastBox& way, Real doubt, Real noise, Mask pairs) {
     if (!any(pairs)) return;
     for (Dim i = 0; i < 3; ++i) look_across_face(way, i);
@@ -101,17 +100,18 @@ class MinimumTranslation {
     if (any_likely(!is_face)) find_edge_outward(way);
   }
 
-  Mask is_known = all(false);  ///< If not, nothing else counts.
+  Mask is_known = all(false);  ///< If not, nothing else is valid.
   Mask is_face = all(false);
-  Mask is_level = all(false);     ///< Of a face: whether it is as far out of it all along, up to rounding.
-  Mask is_far = all(false);       ///< Of a face: whether it is that at the axis' far end.
-  Mask is_oblique = all(false);   ///< Of an edge: whether it is so by more than what is laid flat on a face.
-  Axis face = axis_number(0);     ///< The axis that it is across.
-  Axis edge = axis_number(0);     ///< The axis that it is along.
-  Point outward = zero<Point>();  ///< Of an edge: along the box' axes, of any length.
+  Mask is_level = all(false);  ///< For a face: whether the depth is the same along the whole segment, up to rounding.
+  Mask is_far = all(false);    ///< For a face: whether it is the one on the axis's far side.
+  /// For an edge: whether the direction deviates from the faces' normals by more than the angle of flat contacts.
+  Mask is_oblique = all(false);
+  Axis face = axis_number(0);     ///< The axis that the face is across.
+  Axis edge = axis_number(0);     ///< The axis that the edge is along.
+  Point outward = zero<Point>();  ///< For an edge: in the box's coordinates, of any length.
 
  private:
-  static constexpr double least_sine_squared = 1e-8;  // of less the direction is lost to rounding
+  static constexpr double least_sine_squared = 1e-8;  // below this, rounding destroys the direction
   static constexpr double nowhere = -std::numeric_limits<double>::infinity();
 
   [[gnu::always_inline]] void look_across_face(const WayPastBox& way, Dim i) {
@@ -126,7 +126,7 @@ class MinimumTranslation {
     is_far = select(is_better, ahead >= behind, is_far);
   }
 
-  /// The normal of a face is across all its edges and a segment that is level over it.
+  /// The normal of a face is also perpendicular to all its edges and a segment parallel to it.
   [[gnu::always_inline]] void look_along_edge(const WayPastBox& way, Dim i, Real squared_noise, Real least) {
     const Dim next = (i + 1) % 3;
     const Dim last = (i + 2) % 3;

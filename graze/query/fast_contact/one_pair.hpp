@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The numbers of one pair, for calculations that are written once for one pair and for many: the `-inl.hpp` files of
-// this folder are included in namespace one_pair by the headers beside them, and once for each instruction set, a lane
-// for each pair, by graze/broad/contacts/many_pairs-inl.hpp, which has the same functions of vectors. (They cannot be
-// templates: the compiler has to be told the instruction set where it reads a function.) Of many pairs `&&` and `||`
-// evaluate both sides, and what only some lanes want is taken by `take`.
+// The number types of one pair, for calculations that are written once for one pair and for many: the `-inl.hpp` files
+// of this folder are included in namespace one_pair by the headers of the same names, and once for each instruction
+// set, with a lane for each pair, by graze/broad/contacts/many_pairs-inl.hpp, which defines the same functions for
+// vectors. (They cannot be templates: the compiler must know the instruction set when it parses a function.) With many
+// pairs, `&&` and `||` evaluate both sides, and `take` assigns only in some lanes.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using Mask = bool;
 using Axis = Dim;  ///< A number of each pair, from 0 to 2.
 using Point = Vec<3, double>;
 using Point2d = Vec<2, double>;
-using FeatureName = std::uint32_t;  ///< As one number: what is written in parts waits where it is copied as a whole.
+using FeatureName = std::uint32_t;  ///< As one number: copying as a whole what was written in parts stalls.
 
 using std::copysign;
 using std::fabs;
@@ -41,7 +41,7 @@ constexpr P zero() {
 
 /// Whether any pair has it.
 constexpr bool any(Mask mask) { return mask; }
-/// The same where nearly every group of pairs has it, so that of many it is true without being asked.
+/// The same if it is true for nearly every group of pairs; for many pairs it always returns true.
 constexpr bool any_likely(Mask mask) { return mask; }
 
 template <class V>
@@ -49,13 +49,13 @@ template <class V>
   return mask ? yes : no;
 }
 [[gnu::always_inline]] constexpr Real or_zero(Mask mask, Real number) { return mask ? number : 0.0; }
-/// Sets what these pairs have, of which there are some.
+/// Assigns for these pairs only; there is at least one.
 template <class V>
 [[gnu::always_inline]] constexpr void take(Mask /*some*/, const V& value, V& to) {
   to = value;
 }
 
-/// Without a branch, for which of both is not to be guessed.
+/// Branch-free, for conditions that are hard to predict.
 [[gnu::always_inline]] constexpr Mask both_of(Mask a, Mask b) {
   return (static_cast<unsigned>(a) & static_cast<unsigned>(b)) != 0;
 }
@@ -69,7 +69,7 @@ constexpr Mask are_same(Mask a, Mask b) { return a == b; }
 
 [[gnu::always_inline]] inline Real side_of(Real v) { return std::copysign(1.0, v); }
 
-/// The number, or the axis, that is `turns` on from each pair's own.
+/// The coordinate or the axis `turns` after each pair's own.
 [[gnu::always_inline]] inline Real turned(const Point& v, Axis axis, Dim turns = 0) { return v[(axis + turns) % 3]; }
 template <class V>
 [[gnu::always_inline]] inline const V& turned(const V (&of_axes)[3], Axis axis, Dim turns = 0) {
@@ -81,7 +81,7 @@ template <class V>
   return cross(turned(axes, axis, 1), turned(axes, axis, 2));
 }
 
-/// The other way round: with these numbers along each pair's own axis, along the next one and along the last.
+/// The inverse: a point with these coordinates along each pair's own axis, the next one and the last one.
 [[gnu::always_inline]] inline Point placed(Axis axis, Real on_axis, Real on_next, Real on_last) {
   Point result;
   result[axis] = on_axis;
@@ -102,12 +102,12 @@ inline constexpr FeatureName first_vertex = name_of(FeatureKind::vertex, 0);
 inline constexpr FeatureName second_vertex = name_of(FeatureKind::vertex, 1);
 inline constexpr FeatureName first_edge = name_of(FeatureKind::edge, 0);
 
-/// That of a box that a place lies on, by the axes along which it is at the end.
+/// The feature of a box that a point lies on, by the axes along which it is at the end.
 inline FeatureName feature_of_box(const Point& place, const Mask (&is_beyond)[3]) {
   const auto far = [&](Dim i) { return place[i] > 0 ? 1U : 0U; };
   const int count = (is_beyond[0] ? 1 : 0) + (is_beyond[1] ? 1 : 0) + (is_beyond[2] ? 1 : 0);
   if (count == 3) return name_of(FeatureKind::vertex, far(0) | far(1) << 1U | far(2) << 2U);
-  const Dim other = is_beyond[0] ? (is_beyond[1] ? 2 : 1) : 0;  // of an edge: along which it lies
+  const Dim other = is_beyond[0] ? (is_beyond[1] ? 2 : 1) : 0;  // for an edge: the axis that it lies along
   if (count == 2) {
     const Dim along = is_beyond[0] && is_beyond[2] ? 1 : other;
     return name_of(FeatureKind::edge,
@@ -127,8 +127,8 @@ inline FeatureName feature_of_side(Axis axis, Mask is_far, Mask is_along_last, M
   return name_of(FeatureKind::edge, face.edge(is_at_far_end ? 1 : 3));
 }
 
-/// Those of a box in 2D: the corner on these sides of the middle, and the side across an axis, at its half edge or,
-/// with -1, against it.
+/// The features of a 2D box: the corner on these sides of the middle, and the side across an axis, at its half edge or,
+/// with -1, on the opposite side.
 [[gnu::always_inline]] inline FeatureName corner_feature_2d(const Point2d& sides) {
   return name_of(FeatureKind::vertex, (sides.x > 0 ? 1U : 0U) | (sides.y > 0 ? 2U : 0U));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A box in space, along the coordinate axes or not, as an oriented one in double.
+// A 3D box, axis-aligned or not, as an oriented one in double.
 #pragma once
 
 #include <graze/math/vec.hpp>
@@ -13,7 +13,7 @@ Obb<3, double> oriented_box_from(const Vec<3, double>& origin, const Obb<3, T>& 
   return {wide<3, T>(box.center) - origin, wide<3, T>(box.half_extents), wide_matrix<3, T>(box.axes)};
 }
 
-/// The center and the extents are off by four roundings of the coordinates as they are seen.
+/// The center and the extents are off by four roundings of the given coordinates.
 template <class T>
 Obb<3, double> oriented_box_from(const Vec<3, double>& origin, const Aabb<3, T>& box) {
   const Vec<3, double> low = wide<3, T>(box.min) - origin;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How a sphere touches a box in 2D, for one pair or many (one_pair.hpp): what penetration_of_simple and the patches of
-// manifold.hpp find for any two shapes, of spheres whose center is clearly in the box or clearly out of it, over a side
-// or beyond a corner.
+// Contacts of spheres and boxes in 2D, for one pair or many (one_pair.hpp): the same results as the general
+// penetration_of_simple and the patches of manifold.hpp, for spheres whose center is clearly inside of the box or
+// clearly outside of it, over a side or beyond a corner.
 
-/// A sphere, and a box as the sphere's center sees it.
+/// A sphere, and a box relative to the sphere's center.
 class SphereOnBox2d {
  public:
   [[gnu::always_inline]] SphereOnBox2d(const SphereNumbers<Point2d>& sphere, const Core2d<2>& box)
@@ -19,7 +19,7 @@ class SphereOnBox2d {
     const Real ahead_y = dot(way_, box_.normal[1]);
     const Real gap_x = fabs(ahead_x) - dot(box_.half_edge[0], box_.normal[0]);
     const Real gap_y = fabs(ahead_y) - dot(box_.half_edge[1], box_.normal[1]);
-    const Mask is_y = gap_y > gap_x + tolerance::rounding * size_;  // of sides that are as good the first
+    const Mask is_y = gap_y > gap_x + tolerance::rounding * size_;  // the first of equally near sides
     const Real gap = select(is_y, gap_y, gap_x);
     RoundContact<Point2d> contact;
     contact.error = 2 * tolerance::rounding * size_;
@@ -47,14 +47,14 @@ class SphereOnBox2d {
   }
 
  private:
-  /// On the box' surface, `gap` below the center.
+  /// On the box's surface, `gap` below the center.
   struct Place {
-    Point2d up;  ///< From there to the center, of length 1.
+    Point2d up;  ///< The unit vector from there to the center.
     Real gap;
     FeatureName of_box;
   };
 
-  /// Sets those beyond both sides at a corner by more than what would be laid flat on one.
+  /// Sets those beyond both sides at a corner by more than the angle of flat contacts.
   [[gnu::always_inline]] void find_corner(Mask pairs, Place& place, RoundContact<Point2d>& contact) const {
     constexpr double least_cosine = 16 * tolerance::aligned;
     const Point2d sides{side_of(dot(way_, box_.half_edge[0])), side_of(dot(way_, box_.half_edge[1]))};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a sphere touches a box in 2D: a quick look by sphere_2d-inl.hpp. Include manifold.hpp.
+// Fast contacts of spheres and 2D boxes, by sphere_2d-inl.hpp. Include manifold.hpp.
 #pragma once
 
 #include <graze/math/tolerance.hpp>

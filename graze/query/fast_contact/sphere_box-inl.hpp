@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How a sphere touches a box in space, in the box' own coordinates, for one pair or many (one_pair.hpp): what
-// penetration_of_simple and the patches of manifold.hpp find for any two shapes, of spheres whose center is clearly in
-// the box or clearly out of it, and not nearly above the line between two of its faces, edges and corners.
+// Contacts of spheres and 3D boxes, in the box's own coordinates, for one pair or many (one_pair.hpp): the same results
+// as the general penetration_of_simple and the patches of manifold.hpp, for spheres whose center is clearly inside or
+// clearly outside of the box, and not nearly above the boundary between two of its features.
 
-/// A box, whose axes are those of the coordinates if it is `along` them.
+/// A box; its axes are the coordinate axes if it is `along` them.
 template <bool along>
 struct BoxNumbers {
   Point center;
   Point half;
-  Point axes[3];  ///< Not set if it is along them.
+  Point axes[3];  ///< Not set if the box is along the coordinate axes.
 
   /// A coordinate along an axis.
   [[gnu::always_inline]] Real along_axis(const Point& v, Dim i) const {
@@ -17,7 +17,7 @@ struct BoxNumbers {
   }
 };
 
-/// A sphere, and a box as the sphere's center sees it.
+/// A sphere, and a box relative to the sphere's center.
 template <bool along>
 class SphereOnBox {
  public:
@@ -33,7 +33,7 @@ class SphereOnBox {
 
   [[gnu::always_inline]] RoundContact<Point> run() {
     Real moved = descend(all(true));
-    // How far the axes may put the point wrong in the first round, as filter_of_sphere has it.
+    // The error of the point in the first round due to the axes, as in filter_of_sphere.
     const Real first_undecided = tolerance::box_filter * tolerance::orthonormal * whole_;
     const Real reach = sphere_.radius + (along ? doubt_ : first_undecided);
     const Mask is_far = dot(off_, off_) > reach * reach;
@@ -57,12 +57,12 @@ class SphereOnBox {
   Real size() const { return whole_; }
 
  private:
-  // place_in without divisions, because a round shrinks what is wrong as much if the axes are not of length 1. To
-  // measure how far they are from that, mostly by rounding, spares one of two rounds, but not always: it takes longer.
+  // place_in without divisions: a round reduces the error as much if the axes are not of length 1. Measuring how far
+  // they are from that, mostly by rounding, saves one of two rounds, but not always: it takes longer.
   static constexpr int rounds = 5;
   static constexpr double shrinks_to = 4 * tolerance::orthonormal;
 
-  /// One round of it, of these pairs; by how much it has moved the place.
+  /// One iteration, for these pairs; returns how far the point has moved.
   [[gnu::always_inline]] Real descend(Mask pairs) {
     Point step;
     for (Dim i = 0; i < 3; ++i) {
@@ -87,10 +87,10 @@ class SphereOnBox {
     }
   }
 
-  /// The center is clearly out of the box: this far, if anything, along one, two or three axes, or between the faces
+  /// The center is clearly outside of the box: this far, if at all, along one, two or three axes, or between the faces
   /// across one by more than rounding.
   [[gnu::always_inline]] void touch_outside(Real distance, RoundContact<Point>& contact) const {
-    constexpr double least_cosine = 16 * tolerance::aligned;  // with a face or edge it would not be laid flat on
+    constexpr double least_cosine = 16 * tolerance::aligned;  // otherwise the sphere would lie flat on a face or edge
     contact.depth = sphere_.radius - distance;
     contact.is_apart = contact.depth < -doubt_;
     contact.meets = contact.depth > doubt_;
@@ -108,8 +108,8 @@ class SphereOnBox {
     contact.on_second = sphere_.center - off_;
   }
 
-  /// Sets those whose center is in the box. Of faces that are as near, by more than the box is oblique, the careful way
-  /// chooses.
+  /// Sets those whose center is inside of the box. Of faces that are equally near up to the skew of the box, the
+  /// general algorithm selects one.
   [[gnu::always_inline]] void touch_inside(Mask pairs, RoundContact<Point>& contact) const {
     const Point room = box_.half - abs(place_);
     const Mask is_y = room[1] < room[0];

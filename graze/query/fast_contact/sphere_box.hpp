@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a sphere touches a box in space: a quick look by sphere_box-inl.hpp. Include manifold.hpp.
+// Fast contacts of spheres and 3D boxes, by sphere_box-inl.hpp. Include manifold.hpp.
 #pragma once
 
 #include <graze/math/tolerance.hpp>

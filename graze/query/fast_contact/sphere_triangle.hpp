@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a sphere touches a triangle in space: what penetration_of_simple finds for any two shapes, of spheres whose
-// center is clearly off the triangle, and of triangles that are no needles. Include manifold.hpp.
+// Contacts of spheres and 3D triangles: what penetration_of_simple finds for any two shapes, for spheres whose center
+// is clearly off the triangle, and for triangles that are not needles. Include manifold.hpp.
 #pragma once
 
 #include <cmath>
@@ -16,23 +16,23 @@
 
 namespace graze::detail {
 
-/// The point of a triangle that is nearest to zero, and what of the triangle it lies on: known unless rounding may have
-/// moved it to a neighbour.
+/// The point of a triangle nearest to the origin, and the feature that it lies on: known unless rounding may have moved
+/// it to a neighbouring one.
 struct NearOnTriangle {
   Vec<3, double> place;
   Feature feature;
   bool is_known;
 };
 
-/// So far along a side.
+/// The point at a fraction of a side.
 inline NearOnTriangle near_on_side(const Vec<3, double>& start, const Vec<3, double>& way, double along,
                                    std::uint32_t side) {
   constexpr double margin = 1e-9;
   return {start + way * along, {FeatureKind::edge, side}, along > margin && along < 1 - margin};
 }
 
-/// By the region that zero is in (Ericson, Real-Time Collision Detection, 2005, 5.1.5), of a triangle that is no
-/// needle.
+/// By the region that contains the origin (Ericson, Real-Time Collision Detection, 2005, 5.1.5), for a triangle that is
+/// not a needle.
 inline NearOnTriangle nearest_to_zero(const Triangle<3, double>& triangle) {
   constexpr double margin = 1e-9;
   const auto& [a, b, c] = triangle;
@@ -66,8 +66,8 @@ inline NearOnTriangle nearest_to_zero(const Triangle<3, double>& triangle) {
           of_a > margin * all && of_b > margin * all && of_c > margin * all};
 }
 
-/// The triangle as the center sees it. Its normal is known to a few hundred epsilon, since two sides are 7 degrees from
-/// parallel.
+/// The triangle relative to the center. Its normal is known to a few hundred epsilon, since two sides are 7 degrees
+/// from parallel.
 template <class T>
 FastContact<3> find_fast_contact(const Sphere<3, T>& sphere, const Triangle<3, T>& triangle, bool turns) {
   const Vec<3, double> origin = wide<3, T>(sphere.center);
@@ -87,7 +87,7 @@ FastContact<3> find_fast_contact(const Sphere<3, T>& sphere, const Triangle<3, T
       near.is_known && squared > least_sine_squared * (dot(ab, ab) * dot(ac, ac)) && squared > 0x1p-900;
   contact.is_apart = contact.is_apart && is_plain;
   contact.meets = contact.meets && is_plain && one_pair::are_lines_apart(radius - contact.depth, size);
-  // Beside the face, but hardly off its normal, a sphere lies on the face all the same.
+  // Next to the face, but hardly off its normal, the sphere still lies on the face.
   constexpr double least_sine = 16 * tolerance::aligned;
   const Vec<3, double> turn = cross(face, contact.normal);
   contact.is_single = near.feature.kind == FeatureKind::face || dot(turn, turn) > least_sine * least_sine * squared;

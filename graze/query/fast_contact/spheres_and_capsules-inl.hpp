@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How spheres and capsules touch each other, for one pair or many (one_pair.hpp): what penetration_of_simple finds for
-// any two shapes, of those that clearly meet or clearly do not, whose axes are not nearly parallel and nowhere near
-// each other.
+// Contacts of spheres and capsules, for one pair or many (one_pair.hpp): the same results as the general
+// penetration_of_simple, for pairs that clearly meet or are clearly disjoint, and whose axes are neither nearly
+// parallel nor very close to each other.
 
-/// How two shapes touch in one point.
+/// The contact of two shapes in one point.
 template <class P>
 struct RoundContact {
-  Mask is_apart;   ///< For certain; then nothing else counts, but the error.
-  Mask meets;      ///< For certain, as is said below. If neither, nothing counts.
-  Mask is_single;  ///< Whether the manifold is this point alone, on the features below.
+  Mask is_apart;   ///< Certainly; then only the error is valid besides.
+  Mask meets;      ///< Certainly, as described below. If neither, nothing is valid.
+  Mask is_single;  ///< Whether the manifold is only this point, on the features below.
   P normal;        ///< From the first to the second.
   Real depth;
   P on_first;
@@ -18,14 +18,14 @@ struct RoundContact {
   FeatureName of_second;
 };
 
-/// Of pairs none of which meets for certain.
+/// For pairs none of which certainly meets.
 template <class P>
 [[gnu::always_inline]] inline RoundContact<P> no_contact(Mask is_apart, Real error) {
   const P place = zero<P>();
   return {is_apart, all(false), all(false), place, all(0.0), place, place, error, all(first_vertex), all(first_vertex)};
 }
 
-/// The nearest points of the cores of two round shapes, each seen from an origin near by.
+/// The nearest points of the cores of two round shapes, each relative to a nearby origin.
 template <class P>
 struct NearCores {
   P first_origin;
@@ -36,7 +36,7 @@ struct NearCores {
   Real size;  ///< The sum of the coordinates that this was calculated from.
 };
 
-/// The answer from the nearest points, if it is plain: cores that nearly meet have a normal of another kind.
+/// The result from the nearest points, if it is easy to decide: cores that nearly meet have a different kind of normal.
 template <class P>
 [[gnu::always_inline]] inline RoundContact<P> contact_of_cores(const NearCores<P>& near, Real first_radius,
                                                                Real second_radius) {
@@ -58,14 +58,14 @@ template <class P>
   return result;
 }
 
-/// The places where two lines are nearest are off by 64 times as much as other places, if they are 7 degrees from
-/// parallel, and so has their distance to be for its direction to be known.
+/// The nearest points of two lines that are 7 degrees from parallel are off by 64 times as much as other points; their
+/// distance must be larger than that for its direction to be known.
 [[gnu::always_inline]] inline Mask are_lines_apart(Real distance, Real size) {
   return distance > 64 * tolerance::known_direction * size;
 }
 
-/// Of a point of a capsule's axis, so far from its start to its end: known unless rounding may have moved it on an end
-/// or off it.
+/// The feature of a point of a capsule's axis at a fraction from its start to its end: known unless rounding may have
+/// moved it across an end.
 struct AxisFeature {
   FeatureName feature;
   Mask is_between;
@@ -103,7 +103,7 @@ template <class P>
                              first.radius, second.radius);
 }
 
-/// The axis as the center sees it. In the plane it has sides, and near its ends a sphere lies on one all the same.
+/// The axis relative to the center. In 2D it has sides, and near its ends a sphere still lies on one.
 template <class P>
 [[gnu::always_inline]] inline RoundContact<P> contact_of(const SphereNumbers<P>& sphere,
                                                          const CapsuleNumbers<P>& capsule) {
@@ -131,7 +131,7 @@ template <class P>
   return result;
 }
 
-/// Where two axes in space are nearest, which are not nearly parallel: as in segment_filter.hpp. In their order.
+/// The nearest points of two axes in 3D, which are not nearly parallel: as in segment_filter.hpp. In their order.
 [[gnu::always_inline]] inline RoundContact<Point> contact_of(const CapsuleNumbers<Point>& first,
                                                              const CapsuleNumbers<Point>& second) {
   constexpr double least_sine_squared = 1.0 / 64;

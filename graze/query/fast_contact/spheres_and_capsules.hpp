@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How spheres and capsules touch each other: a quick look by spheres_and_capsules-inl.hpp. Include manifold.hpp.
+// Fast contacts of spheres and capsules, by spheres_and_capsules-inl.hpp. Include manifold.hpp.
 #pragma once
 
 #include <type_traits>
@@ -27,7 +27,7 @@ template <Dim N, class T>
 
 namespace graze::detail {
 
-/// What was found from the first to the second, or from the second to the first if it turns.
+/// What was calculated from the first to the second, or from the second to the first if it turns.
 template <class P>
 [[gnu::always_inline]] inline FastContact<vec_dimension<P>> fast_contact_of(const one_pair::RoundContact<P>& contact,
                                                                             bool turns) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The manifold of two boxes along the coordinate axes, what manifold_points.hpp makes of any two faces: the corners of
-// what their faces share, which is a rectangle. Include manifold.hpp.
+// The manifold of two axis-aligned boxes, equal to what manifold_points.hpp calculates for any two faces: the corners
+// of the intersection of their faces, which is a rectangle. Include manifold.hpp.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +18,14 @@
 
 namespace graze::detail {
 
-/// The bounds along one axis of what two faces share: of the incident face, as far as they are within the reference
-/// face, else of that.
+/// The bounds along one axis of the intersection of two faces: those of the incident face if they are within the
+/// reference face, otherwise those of the reference face.
 struct SharedRange {
-  std::array<double, 2> end;         ///< The low one and the high one.
-  std::array<bool, 2> is_reference;  ///< Whose it is.
+  std::array<double, 2> end;         ///< The lower and the upper bound.
+  std::array<bool, 2> is_reference;  ///< Whether each belongs to the reference face.
 };
 
-/// Up to `slack` beyond the reference face counts as within.
+/// Anything outside of the reference face by up to `slack` counts as within.
 template <Dim N>
 SharedRange shared_range(const Aabb<N, double>& reference, const Aabb<N, double>& incident, Dim axis, double slack) {
   const bool is_low = incident.min[axis] < reference.min[axis] - slack;
@@ -34,7 +34,7 @@ SharedRange shared_range(const Aabb<N, double>& reference, const Aabb<N, double>
           {is_low, is_high}};
 }
 
-/// Whether all sides of a box have a length, so that its faces are faces.
+/// Whether all sides of a box have a nonzero length, so that its faces are not degenerate.
 template <Dim N>
 bool has_faces(const Aabb<N, double>& box) {
   bool result = true;
@@ -42,7 +42,7 @@ bool has_faces(const Aabb<N, double>& box) {
   return result;
 }
 
-/// Along which axis, and on which side of its box, a face looks along a normal that is along an axis.
+/// The axis of a face, and the side of its box that it is on, for a normal along an axis.
 template <Dim N>
 BoxFaceNumbers face_along_axis(const Vec<N, double>& normal) {
   Dim axis = 0;
@@ -50,7 +50,7 @@ BoxFaceNumbers face_along_axis(const Vec<N, double>& normal) {
   return {axis, normal[axis] > 0};
 }
 
-/// In the plane: the ends of what two edges share.
+/// In 2D: the ends of the intersection of two edges.
 inline std::array<SurfacePair<2>, 2> pairs_of_aabbs(const Aabb<2, double>& a, const Aabb<2, double>& b,
                                                     const Penetration<2>& found, double slack) {
   const BoxFaceNumbers of_a = face_along_axis(found.normal);
@@ -73,11 +73,11 @@ inline std::array<SurfacePair<2>, 2> pairs_of_aabbs(const Aabb<2, double>& a, co
   return result;
 }
 
-/// The feature of a face that a corner of what two faces share lies on, the corners of both being numbered alike: by
-/// whether it is at the face's own end along the next axis, and along the last one.
+/// The feature of a face that a corner of the intersection lies on, where the corners of both are numbered alike: by
+/// whether it is at the face's own end along the next axis and along the last one.
 inline Feature feature_of_shared(const BoxFaceNumbers& face, std::uint32_t corner, bool by_x, bool by_y) {
   if (by_x && by_y) return {FeatureKind::vertex, face.vertex(corner)};
-  // The sides of a face are numbered from the corner that they begin at: below, right, above, left.
+  // The sides of a face are numbered by the corner that they begin at: below, right, above, left.
   const bool is_right = ((corner ^ corner >> 1U) & 1U) != 0;
   const bool is_up = corner >> 1U != 0;
   if (by_x) return {FeatureKind::edge, face.edge(is_right ? 1 : 3)};
@@ -85,7 +85,7 @@ inline Feature feature_of_shared(const BoxFaceNumbers& face, std::uint32_t corne
   return {FeatureKind::face, face.face()};
 }
 
-/// In space: the corners of what two faces share, around it.
+/// In 3D: the corners of the intersection of two faces, in order around it.
 inline std::array<SurfacePair<3>, 4> pairs_of_aabbs(const Aabb<3, double>& a, const Aabb<3, double>& b,
                                                     const Penetration<3>& found, double slack) {
   const BoxFaceNumbers of_a = face_along_axis(found.normal);

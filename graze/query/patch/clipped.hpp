@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One face cut to what lies over another: Sutherland and Hodgman, "Reentrant polygon clipping" (1974), with the names
-// of what every new corner comes from.
+// Clips one face to another: Sutherland and Hodgman, "Reentrant polygon clipping" (1974), with the features that every
+// new corner lies on.
 #pragma once
 
 #include <algorithm>
@@ -40,17 +40,18 @@ struct Feature {
 
 namespace detail {
 
-/// A corner of what is left of an incident face over a reference face.
+/// A corner of an incident face clipped to a reference face.
 template <Dim N>
 struct ClippedCorner {
   Vec<N, double> point;
   Feature reference;
   Feature incident;
-  Feature next_reference;  ///< Of the side from here to the next corner: either an edge of the reference face and ...
-  Feature next_incident;   ///< ... the incident face, or the reference face and an edge of the incident one.
+  /// The features of the side from here to the next corner: either an edge of the reference face and ...
+  Feature next_reference;
+  Feature next_incident;  ///< ... the incident face, or the reference face and an edge of the incident one.
 };
 
-/// The incident patch as it is cut, corner by corner.
+/// The incident patch while it is clipped, corner by corner.
 template <Dim N>
 class ClippedPatch {
  public:
@@ -59,7 +60,8 @@ class ClippedPatch {
   ClippedPatch(const Patch<N>& incident, const Patch<N>& reference)
       : reference_(reference),
         incident_face_(face_of(incident)),
-        size_(std::min(incident.size, Patch<N>::most_corners)) {  // GCC 12 warns of more, which cannot be
+        // GCC 12 warns about larger sizes, which are impossible
+        size_(std::min(incident.size, Patch<N>::most_corners)) {
     const Feature over = face_of(reference);
     for (std::size_t i = 0; i < size_; ++i) {
       corners_[i] = {incident.corners[i],
@@ -73,16 +75,16 @@ class ClippedPatch {
   std::size_t size() const { return size_; }
   const ClippedCorner<N>& operator[](std::size_t i) const { return corners_[i]; }
 
-  /// The same of a plane whose normal has any length, which is seldom worth a root: most sides cut nothing off. With
-  /// all corners below the plane, rounding hides less than `slack`, which has to be more than that.
+  /// The same for a plane whose normal has any length; a square root is seldom worth it, because most sides clip
+  /// nothing. If all corners are below the plane, rounding hides less than `slack`, which must exceed that.
   void cut_across(const Vec<N, double>& outward, const Vec<N, double>& through, std::size_t side, double slack) {
     bool is_above = false;
     for (std::size_t i = 0; i < size_; ++i) is_above = is_above || dot(outward, corners_[i].point - through) > 0;
     if (is_above) cut(unit_or(outward, Vec<N, double>(0.0)), through, side, slack);
   }
 
-  /// Leaves what is not above a plane, which goes through `side` of the reference patch: edges 0, 1, ..., or, with the
-  /// patch's size, the face itself. Corners up to `slack` above stay.
+  /// Removes what is above a plane through `side` of the reference patch: edges 0, 1, ..., or, for the patch's size,
+  /// the face itself. Corners up to `slack` above are kept.
   void cut(const Vec<N, double>& normal, const Vec<N, double>& through, std::size_t side, double slack) {
     std::array<double, most_corners> heights;
     bool is_cut = false;
@@ -98,10 +100,10 @@ class ClippedPatch {
       const bool is_inside = heights[i] <= slack;
       const bool is_next_inside = heights[next] <= slack;
       if (is_inside && count < most_corners) kept[count++] = corners_[i];
-      const bool is_side = size_ > 2 || next > i;  // an edge goes there, but not back
+      const bool is_side = size_ > 2 || next > i;  // a single edge has no side back
       if (!is_side || is_inside == is_next_inside || count == most_corners) continue;
       ClippedCorner<N> corner = crossing(i, next, heights[i] / (heights[i] - heights[next]), side);
-      if (is_inside) {  // the way out: from here the plane is the side
+      if (is_inside) {  // leaves the inside: from here the plane is the side
         corner.next_reference = side_of(side);
         corner.next_incident = incident_face_;
       }
@@ -123,12 +125,12 @@ class ClippedPatch {
 
   Feature side_of(std::size_t side) const {
     if (side == reference_.size) return face_of(reference_);
-    // The ends of an edge are its sides.
+    // The sides of an edge are its ends.
     if (reference_.size == 2) return {FeatureKind::vertex, reference_.vertices[side]};
     return {FeatureKind::edge, reference_.edges[side]};
   }
 
-  /// Where the side between two corners crosses the plane. The plane through the heights is there: heights differ.
+  /// Where the side between two corners intersects the plane, at this share of the side.
   ClippedCorner<N> crossing(std::size_t from, std::size_t to, double share, std::size_t side) const {
     ClippedCorner<N> result = corners_[from];
     result.point += (corners_[to].point - corners_[from].point) * std::clamp(share, 0.0, 1.0);
@@ -154,8 +156,9 @@ class ClippedPatch {
   std::size_t size_;
 };
 
-/// Two sides that meet at a tip sharper than `slack` can tell leave what lies beyond it: that is cut off across the
-/// longest edge, past the last corners along it. `turn` is across the patch and twice as long as its area is large.
+/// At a tip sharper than `slack` can resolve, two sides do not clip what lies beyond it: that is clipped
+/// perpendicularly to the longest edge, past the last corners along it. `turn` is perpendicular to the patch, and its
+/// length is twice the area.
 inline void cut_at_tips(ClippedPatch<3>& patch, const Patch<3>& reference, const Vec<3, double>& turn, double slack) {
   const auto& corners = reference.corners;
   Vec<3, double> way(0.0);
@@ -176,8 +179,8 @@ inline void cut_at_tips(ClippedPatch<3>& patch, const Patch<3>& reference, const
   patch.cut(unit, corners[high], high, slack);
 }
 
-/// Cuts an incident patch at the sides of a reference patch, seen along its normal `up` of length 1. A patch without
-/// bounds cuts nothing.
+/// Clips an incident patch at the sides of a reference patch, projected along its unit normal `up`. A patch without
+/// bounds does not clip.
 template <Dim N>
 ClippedPatch<N> clipped(const Patch<N>& incident, const Patch<N>& reference, const Vec<N, double>& up, double slack) {
   ClippedPatch<N> result(incident, reference);

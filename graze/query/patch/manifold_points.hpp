@@ -31,7 +31,7 @@ struct SurfacePair {
   Feature feature_b;
 };
 
-/// The points of a patch, before few are chosen.
+/// The points of a patch, before a few are selected.
 template <Dim N>
 using SurfacePairs = InplaceVector<SurfacePair<N>, ClippedPatch<N>::most_corners>;
 
@@ -43,15 +43,15 @@ SurfacePair<N> exchanged(SurfacePair<N> pair) {
   return pair;
 }
 
-/// Two cores' faces that look at each other along the normal of a penetration, and the radii around them.
+/// The faces of two cores that face each other along the normal of a penetration, and the radii around them.
 template <Dim N>
 struct FacingPatches {
   const Patch<N>& a;
   const Patch<N>& b;
   double radius_a = 0;
   double radius_b = 0;
-  /// Of what lies over a face without a radius all rests on it, if none of it is above by more than this share of half
-  /// the way around the smaller of the two: else what is above by more than rounding is cut off.
+  /// Of a core without a radius, everything over a face rests on it if nothing is higher above it than this share of
+  /// half the circumference of the smaller face; otherwise what is above by more than rounding is clipped.
   double flush = 0;
 };
 
@@ -61,13 +61,13 @@ FacingPatches<N> exchanged(const FacingPatches<N>& facing) {
   return {facing.b, facing.a, facing.radius_b, facing.radius_a, facing.flush};
 }
 
-/// Whether a patch is a face that looks along the normal.
+/// Whether a patch is a face perpendicular to the normal.
 template <Dim N>
 bool is_face_along(const Patch<N>& patch, const Vec<N, double>& normal) {
   return is_aligned(patch.normal, normal);
 }
 
-/// Whether what lies over the face of a, which looks along the normal, all rests on it.
+/// Whether everything over the face of a, which faces along the normal, rests on it.
 template <Dim N>
 bool rests_on_face(const ClippedPatch<N>& incident, const FacingPatches<N>& facing) {
   if (facing.flush == 0 || facing.radius_a + facing.radius_b > 0) return false;
@@ -78,8 +78,8 @@ bool rests_on_face(const ClippedPatch<N>& incident, const FacingPatches<N>& faci
   return highest <= facing.flush * std::min(half_perimeter(facing.a), half_perimeter(facing.b));
 }
 
-/// What lies over the face of a, which looks along the normal, and not above the other surface: the incident face of b,
-/// cut. Points of b that are below are laid on the face of a along the normal.
+/// The incident face of b over the face of a, which faces along the normal, and not above the other surface: clipped.
+/// Points of b below are projected onto the face of a along the normal.
 template <Dim N>
 SurfacePairs<N> pairs_over(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
   const Vec<N, double> on_face = facing.a.corners[0];
@@ -100,7 +100,7 @@ SurfacePairs<N> pairs_over(const FacingPatches<N>& facing, const Vec<N, double>&
   return result;
 }
 
-/// Two edges side by side, whose common part has two ends; none if they are not parallel.
+/// Two parallel edges, whose overlap has two ends; none if they are not parallel.
 template <Dim N>
 SurfacePairs<N> pairs_between_edges(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
   SurfacePairs<N> result;
@@ -122,7 +122,7 @@ SurfacePairs<N> pairs_between_edges(const FacingPatches<N>& facing, const Vec<N,
   return result;
 }
 
-/// The least feature of a patch that a point lies on.
+/// The lowest-dimensional feature of a patch that a point lies on.
 template <Dim N>
 Feature feature_at(const Patch<N>& patch, const Vec<N, double>& point, double slack) {
   for (std::size_t i = 0; i < patch.size; ++i) {
@@ -138,7 +138,7 @@ Feature feature_at(const Patch<N>& patch, const Vec<N, double>& point, double sl
   return {FeatureKind::face, patch.face};
 }
 
-/// The point of the contact alone.
+/// Only the contact point.
 template <Dim N>
 SurfacePairs<N> single_pair(const FacingPatches<N>& facing, const Penetration<N>& found, double slack) {
   const Vec<N, double> core_a = found.point_a - found.normal * facing.radius_a;
@@ -157,8 +157,8 @@ SurfacePairs<N> pairs_over_b(const FacingPatches<N>& facing, const Vec<N, double
   return result;
 }
 
-/// The face that looks along the normal carries the points, that of a if both do, but a plane's in any case: it has no
-/// corners to be laid on another. None if no face does.
+/// The reference face is the one that faces along the normal: that of a if both do, but a plane in any case, which has
+/// no corners to project. None if no face does.
 template <Dim N>
 SurfacePairs<N> face_pairs(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
   const bool b_is_unbounded = facing.b.size == 0;
@@ -167,8 +167,8 @@ SurfacePairs<N> face_pairs(const FacingPatches<N>& facing, const Vec<N, double>&
   return {};
 }
 
-/// By their features, whichever of the shapes comes first: so that of points as good as each other the same are chosen
-/// where the shapes have been turned together, after which another may come first.
+/// By their features, in an order independent of the order of the shapes: so that of equally good points the same are
+/// selected after a common rotation of the shapes, which may change their order.
 template <Dim N>
 void sort_by_features(SurfacePairs<N>& pairs) {
   const auto names = [](const SurfacePair<N>& pair) {
@@ -180,8 +180,8 @@ void sort_by_features(SurfacePairs<N>& pairs) {
             [&](const SurfacePair<N>& a, const SurfacePair<N>& b) { return names(a) < names(b); });
 }
 
-/// Whether the deepest of some pairs is as deep as the contact. Of a face that is not exactly at right angles to the
-/// normal it may lie beside it, and what is over the face, of a steep edge, may be far less deep.
+/// Whether the deepest of some pairs is as deep as the contact. If a face is not exactly perpendicular to the normal,
+/// the contact may lie beside it, and the part of a steep edge over the face may be far less deep.
 template <Dim N>
 bool are_as_deep(const SurfacePairs<N>& pairs, const FacingPatches<N>& facing, double depth, double slack) {
   double deepest = 0;
@@ -190,29 +190,29 @@ bool are_as_deep(const SurfacePairs<N>& pairs, const FacingPatches<N>& facing, d
   return deepest >= depth - (slack + 0.5 * tolerance::aligned * size);
 }
 
-/// Those of faces, or of parallel edges; of everything else the deepest point is all there is.
+/// The points of faces or of parallel edges; for everything else only the deepest point.
 template <Dim N>
 SurfacePairs<N> surface_pairs(const FacingPatches<N>& facing, const Penetration<N>& found, double slack) {
   SurfacePairs<N> result = face_pairs(facing, found.normal, slack);
   if (result.empty()) result = pairs_between_edges(facing, found.normal, slack);
   if (!result.empty() && !are_as_deep(result, facing, found.depth, slack)) result = {};
   if (result.empty()) result = single_pair(facing, found, slack);
-  if (result.size() > 4) sort_by_features(result);  // four of them will be chosen
+  if (result.size() > 4) sort_by_features(result);  // four of them will be selected
   return result;
 }
 
-// ---- The few of many
+// ---- Selecting a few of many points
 
-/// Chooses the deepest point; then the farthest from it; then, on either side of the line between the two, the one that
-/// makes the largest triangle with it. Of points that are as good, up to `slack` times the size of the patch, the
-/// first: so that motions smaller than that change none. `Pairs` holds pairs as SurfacePairs<3> does, or as much of
-/// each.
+/// Selects the deepest point; then the one farthest from it; then, on either side of the line between these two, the
+/// one that forms the largest triangle with it. Of points that are equally good, up to `slack` times the size of the
+/// patch, the first: so that smaller motions do not change the selection. `Pairs` holds pairs as SurfacePairs<3> does,
+/// or a part of each.
 template <class Pairs>
 class SpanningChoice {
  public:
   SpanningChoice(const Pairs& from, const Vec<3, double>& normal) : from_(from), normal_(normal) {}
 
-  /// Four of more than four, by their places.
+  /// Four of more than four, by their positions.
   std::array<std::size_t, 4> run() {
     const double size = std::sqrt(best([&](std::size_t i) { return squared_from(0, i); }, 0).value);
     const auto start = best([&](std::size_t i) { return from_[i].depth; }, size).place;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// patch.hpp for polytopes, which know their corners, but in space not their faces.
+// patch.hpp for polytopes, which store their corners but, in 3D, not their faces.
 #pragma once
 
 #include <algorithm>
@@ -32,17 +32,17 @@ Patch<2> patch_of_polytope(const Polytope<2, T>& polytope, const Vec<2, double>&
   return PolygonEdges(vertices.size(), corner).along(direction);
 }
 
-/// A corner of a polytope as it lies on a face, seen flat.
+/// A corner of a polytope, projected onto the plane of a face.
 struct PolygonCorner {
   Vec<2, double> place;
   std::uint32_t index;
 };
 
-/// The corners of the convex hull of any number of points of a plane, which are put in one by one in the order of their
-/// numbers: counter-clockwise from the least number. Corners that lie beside each other, up to `reach`, are one, the
-/// least of them, and those that hardly turn are passed, so that rounding makes none and hides none. Of more than it
-/// can list those that are farthest in eight directions, so that a face of a thousand corners needs no more memory: 20
-/// KiB on the stack.
+/// The corners of the convex hull of any number of points in a plane, added one by one in the order of their numbers:
+/// counter-clockwise from the least number. Corners next to each other, up to `reach`, are merged into the one with the
+/// least number, and corners that hardly turn are removed, so that rounding neither adds nor hides any. If there are
+/// more than fit, only those farthest in eight directions, so that a face with a thousand corners needs no more memory:
+/// 20 KiB on the stack.
 class FaceCorners {
  public:
   static constexpr std::size_t most_listed = 128;
@@ -69,7 +69,7 @@ class FaceCorners {
   }
 
  private:
-  /// Eighths of a turn; how long they are does not matter.
+  /// Directions at multiples of 45 degrees; their lengths do not matter.
   static constexpr std::array<std::array<double, 2>, Patch<3>::most_corners> directions = {
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
@@ -84,7 +84,7 @@ class FaceCorners {
            std::fabs(cross_2d<double>(way_in, minimum_translation)) <= tolerance::aligned;
   }
 
-  /// Of corners as good as each other, up to `reach`, the first.
+  /// Of equally good corners, up to `reach`, the first.
   void offer(const PolygonCorner& corner) {
     for (std::size_t i = 0; i < directions.size(); ++i) {
       const Vec<2, double> way = corner.place - farthest_[i].place;
@@ -143,15 +143,15 @@ class FaceCorners {
   InplaceVector<PolygonCorner, directions.size()> farthest_;
 };
 
-/// Finds a face by wrapping: a plane laid on the corner that is farthest along a direction is tilted as little as it
-/// takes to lie on a second one, then about the edge between the two, until it lies on a third (Chand and Kapur, "An
+/// Finds a face by gift wrapping: a plane through the corner farthest in a direction is tilted as little as possible
+/// until it contains a second one, then about the edge between the two until it contains a third (Chand and Kapur, "An
 /// algorithm for convex polytopes", 1970).
 template <class T>
 class FaceWrapping {
  public:
   using Point = Vec<3, double>;
 
-  /// Of points seen from `origin`.
+  /// Points are taken relative to `origin`.
   FaceWrapping(std::span<const Vec<3, T>> vertices, const Point& origin, const Point& direction)
       : vertices_(vertices), origin_(origin), up_(direction) {
     double height = dot(up_, point(0));
@@ -188,7 +188,7 @@ class FaceWrapping {
 
   Point point(std::size_t i) const { return wide<3, T>(vertices_[i]) - origin_; }
 
-  /// Of all other corners the one towards which the plane tilts least; the first corner itself if there is none.
+  /// Of all other corners, the one that needs the least tilt of the plane; the first corner itself if there is none.
   template <class Tilt>
   std::size_t least_tilt(const Tilt& tilt) const {
     double least = std::numeric_limits<double>::infinity();
@@ -203,7 +203,7 @@ class FaceWrapping {
     return best;
   }
 
-  /// To whichever side of the edge needs the smaller tilt. What lies on the edge's line, up to rounding, is no side.
+  /// On the side of the edge that needs the smaller tilt. Corners on the edge's line, up to rounding, are skipped.
   std::size_t third_corner(const Point& edge) const {
     const Point level = unit_or(up_ - edge * (dot(up_, edge) / dot(edge, edge)), up_);
     const Point side = unit_or(cross(level, edge), Point(0.0));
@@ -214,7 +214,7 @@ class FaceWrapping {
     });
   }
 
-  /// Of two corners, one after the other.
+  /// Of two consecutive corners.
   std::uint32_t pair_number(std::size_t i, std::size_t j) const { return number(i * vertices_.size() + j); }
 
   std::uint32_t edge_number(std::size_t i, std::size_t j) const { return pair_number(std::min(i, j), std::max(i, j)); }
@@ -227,9 +227,9 @@ class FaceWrapping {
     return patch;
   }
 
-  /// All corners on the face, in order around it from the least number. Corners of what is meant to be one face may be
+  /// All corners of the face, in order around it from the least number. Corners that are meant to be coplanar may be
   /// off by the rounding of their coordinates. The face has the number of its first two corners: two faces have no more
-  /// than an edge in common, around which they go opposite ways.
+  /// than an edge in common, which they traverse in opposite directions.
   Patch<3> face_patch(const Point& normal, const Point& edge) const {
     const Point x = way_along(normal, edge);
     const Point y = cross(normal, x);
@@ -254,8 +254,8 @@ class FaceWrapping {
 
   bool is_on_plane(const Point& normal, const Point& w) const { return std::fabs(dot(normal, w)) <= reach(); }
 
-  /// From the face's least corner to the next one that is not beside it: a way that turns with the polytope. Along an
-  /// edge if none is.
+  /// From the face's least corner to the next one that is not close to it: a direction that rotates with the polytope.
+  /// Along an edge if there is none.
   Point way_along(const Point& normal, const Point& edge) const {
     std::optional<Point> least;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
@@ -277,7 +277,7 @@ class FaceWrapping {
 };
 
 /// Of faces with more than eight corners, eight of them: evenly counted around the face from the least; of more than
-/// 128 corners, those that are farthest in eight directions. Which they are does not depend on where the polytope is.
+/// 128 corners, those farthest in eight directions. The selection does not depend on the polytope's position.
 template <class T>
 Patch<3> patch_of_polytope(const Polytope<3, T>& polytope, const Vec<3, double>& origin,
                            const Vec<3, double>& direction) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// patch_seen(shape, origin, direction, point): the patch of any shape's core, seen from an origin near a contact.
+// patch_seen(shape, origin, direction, point): the patch of any shape's core, relative to an origin near a contact.
 #pragma once
 
 #include <graze/math/vec.hpp>
@@ -19,7 +19,7 @@ inline constexpr bool is_polytope = false;
 template <Dim N, class T>
 inline constexpr bool is_polytope<Polytope<N, T>> = true;
 
-/// The plane itself, without bounds. It is a contact's, so it looks along the normal or against it.
+/// The plane itself, without bounds. It belongs to a contact, so its normal is along the contact's normal or opposite.
 template <Dim N, class T>
 Patch<N> unbounded_patch(const Plane<N, T>& plane, const Vec<N, double>& origin, const Vec<N, double>& direction) {
   Patch<N> patch;
@@ -29,7 +29,7 @@ Patch<N> unbounded_patch(const Plane<N, T>& plane, const Vec<N, double>& origin,
   return patch;
 }
 
-/// Of rays and users' shapes, which have no faces to speak of, the `point` of the contact.
+/// For rays and users' shapes, which have no known faces, the `point` of the contact.
 template <class S>
 Patch<dimension_of<S>> patch_seen(const S& shape, const Vec<dimension_of<S>, double>& origin,
                                   const Vec<dimension_of<S>, double>& direction,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The face of a core that looks most along a direction, as a few numbered corners: what manifold.hpp lays on each
-// other. In double, seen from near the pair.
+// The face of a core that faces most along a direction, as a few numbered corners: manifold.hpp clips these against
+// each other. In double, relative to a point near the pair.
 //
 // The numbers of features are those of `Feature` in clipped.hpp.
 #pragma once
@@ -25,17 +25,17 @@
 
 namespace graze::detail {
 
-/// A convex polygon in space, in the plane an edge; or, where a core has no more to offer, an edge or a point.
+/// A convex polygon in 3D, an edge in 2D; or an edge or a point, if a core has nothing more.
 template <Dim N>
 struct Patch {
   static constexpr std::size_t most_corners = N == 2 ? 2 : 8;
 
-  std::array<Vec<N, double>, most_corners> corners;  ///< In order around the face, either way.
+  std::array<Vec<N, double>, most_corners> corners;  ///< In order around the face, in either direction.
   std::array<std::uint32_t, most_corners> vertices;  ///< Their numbers.
-  std::array<std::uint32_t, most_corners> edges;     ///< Of the edge from each corner to the next.
+  std::array<std::uint32_t, most_corners> edges;     ///< The edges from each corner to the next.
   std::size_t size = 0;                              ///< 0: without bounds.
   std::uint32_t face = 0;
-  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Of length 1, outward; zero if it is no face.
+  Vec<N, double> normal = Vec<N, double>(0.0);  ///< A unit vector, outward; zero if it is not a face.
 
   void add(const Vec<N, double>& corner, std::uint32_t vertex, std::uint32_t edge) {
     corners[size] = corner;
@@ -51,7 +51,7 @@ double size_of_patch(const Patch<N>& patch) {
   return size;
 }
 
-/// Half the way around a patch: no shorter than any way across it. That of a plane is infinite.
+/// Half the circumference of a patch: at least its diameter. That of a plane is infinite.
 template <Dim N>
 double half_perimeter(const Patch<N>& patch) {
   if (patch.size == 0) return std::numeric_limits<double>::infinity();
@@ -63,7 +63,7 @@ double half_perimeter(const Patch<N>& patch) {
   return 0.5 * way;
 }
 
-// ---- patch_of(core, direction); of faces that look along the direction as much, up to rounding, the first.
+// ---- patch_of(core, direction); of faces that are equally good, up to rounding, the first.
 
 template <Dim N>
 Patch<N> patch_of(const Vec<N, double>& point, const Vec<N, double>&) {
@@ -72,7 +72,7 @@ Patch<N> patch_of(const Vec<N, double>& point, const Vec<N, double>&) {
   return patch;
 }
 
-/// In the plane a segment has two sides; the normal is that of the one that looks along the direction.
+/// In 2D a segment has two sides; the normal is that of the side that faces along the direction.
 template <Dim N>
 Patch<N> patch_of(const Segment<N, double>& segment, const Vec<N, double>& direction) {
   Patch<N> patch;
@@ -100,10 +100,10 @@ bool is_aligned(const Vec<N, double>& a, const Vec<N, double>& b) {
   return dot(turn, turn) <= tolerance::aligned * tolerance::aligned;
 }
 
-/// How much more a later face has to look along a direction, as a cosine, to be preferred.
+/// How much better, as a cosine, a later face must match a direction to be preferred.
 inline bool looks_more(double candidate, double best) { return candidate > best + tolerance::aligned; }
 
-/// The edges of a convex polygon whose corners `corner(0)`, ..., `corner(count - 1)` run either way round.
+/// The edges of a convex polygon whose corners `corner(0)`, ..., `corner(count - 1)` are in either order.
 template <class Corner>
 class PolygonEdges {
  public:
@@ -113,8 +113,8 @@ class PolygonEdges {
     }
   }
 
-  /// The one that looks most along a direction: one of the two at the farthest corner. Of a flat polygon, which has two
-  /// sides, the longest: it is as long as the polygon. Corners that hardly turn are passed.
+  /// The edge that faces most along a direction: one of the two at the farthest corner. For a flat polygon, which has
+  /// two sides, the longest edge: it is as long as the polygon. Corners that hardly turn are skipped.
   Patch<2> along(const Vec<2, double>& direction) const {
     if (area_ == 0) return extended(longest(), direction);
     std::size_t farthest = 0;
@@ -170,7 +170,7 @@ inline Patch<2> patch_of(const Triangle<2, double>& triangle, const Vec<2, doubl
   return PolygonEdges(3, corner).along(direction);
 }
 
-/// The axis whose faces look most along a direction, and their normal of length 1 on that side.
+/// The axis whose faces face most along a direction, and their unit normal on that side.
 template <Dim N>
 struct BoxSide {
   Dim axis = 0;
@@ -192,7 +192,7 @@ BoxSide<N> side_along(const Mat<N, double>& normals, const Vec<N, double>& direc
   return side;
 }
 
-// A side without length or width is no face.
+// A side without length or width is not a face.
 
 inline Patch<2> patch_of_box(const BoxFrame<2>& box, const BoxSide<2>& side) {
   Patch<2> patch;
@@ -207,7 +207,7 @@ inline Patch<2> patch_of_box(const BoxFrame<2>& box, const BoxSide<2>& side) {
   return patch;
 }
 
-/// The numbers of a side of a box in space, and around it: with the next axis as x and the one after it as y from the
+/// The numbers of a side of a 3D box and of its features: with the next axis as x and the one after it as y, from the
 /// corner at -x, -y to that at +x, -y, and so on.
 struct BoxFaceNumbers {
   Dim axis = 0;
@@ -221,8 +221,8 @@ struct BoxFaceNumbers {
     return far() << static_cast<unsigned>(axis) | is_right << static_cast<unsigned>(next()) |
            (corner >> 1U) << static_cast<unsigned>(last());
   }
-  /// From a corner to the next. One along x has as bits its sides of y and of `axis`, one along y those of `axis` and
-  /// of x.
+  /// From a corner to the next. The index of an edge along x has as bits its sides along y and `axis`, that of an edge
+  /// along y its sides along `axis` and x.
   constexpr std::uint32_t edge(std::uint32_t corner) const {
     if ((corner & 1U) == 0) return static_cast<std::uint32_t>(4 * next()) + (corner >> 1U) + 2 * far();
     return static_cast<std::uint32_t>(4 * last()) + far() + 2 - (corner & 2U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a ray meets any convex shape, from nothing but its support function. Include ray_cast.hpp.
+// Where a ray enters any convex shape, from its support function alone. Include ray_cast.hpp.
 #pragma once
 
 #include <algorithm>
@@ -29,20 +29,20 @@
 
 namespace graze::detail {
 
-/// A halving of the distance per step, as when a ray grazes a round shape, ends at rounding after 52 steps.
+/// If the distance is halved per step, as when a ray grazes a round shape, rounding is reached after 52 steps.
 inline constexpr int ray_step_limit = 64;
 
 /// A plane between a point of the ray and the shape.
 template <Dim N>
 struct Barrier {
-  Vec<N, double> normal = Vec<N, double>(0.0);  ///< Of length 1, towards the point.
-  double height = 0;                            ///< Of the point over the plane; not positive if there is none.
-  double gap = 0;                               ///< How far the shape may be at most.
+  Vec<N, double> normal = Vec<N, double>(0.0);  ///< A unit vector towards the point.
+  double height = 0;  ///< The height of the point above the plane; not positive if there is no plane.
+  double gap = 0;     ///< An upper bound of the distance of the shape.
   double resolution = 0;
 };
 
-/// The plane by which GJK has proved the distance, moved to the shape's own farthest point. Next to the shape that is
-/// not the one across the shortest way, whose direction is mostly rounding there.
+/// The plane that GJK's lower bound comes from, moved to the shape's own farthest point. Close to the shape it is not
+/// perpendicular to the shortest vector, whose direction is mostly rounding there.
 template <Convex S>
 Barrier<dimension_of<S>> barrier_at(const S& shape, const Vec<dimension_of<S>, double>& point) {
   constexpr Dim N = dimension_of<S>;
@@ -58,7 +58,7 @@ Barrier<dimension_of<S>> barrier_at(const S& shape, const Vec<dimension_of<S>, d
   return barrier;
 }
 
-/// How near a missed shape must be for `relation` to have the last word.
+/// How near a missed shape must be for `relation` to decide.
 template <Convex S>
 double band_of_miss(const S& shape, const Path<dimension_of<S>>& path) {
   constexpr Dim N = dimension_of<S>;
@@ -67,7 +67,7 @@ double band_of_miss(const S& shape, const Path<dimension_of<S>>& path) {
   return 64 * support_error<S> * (sum_abs(path.origin) + sum_abs(largest) + core_radius(shape) + path.far);
 }
 
-/// Where a point that moves along a path has got to.
+/// The state of a point that moves along a path.
 template <Convex S>
 class Advance {
  public:
@@ -77,8 +77,9 @@ class Advance {
 
   const Vec<N, double>& point() const { return point_; }
 
-  /// Moves on to the plane across `normal` (any length but zero), over which the point is `height` high, so that
-  /// nothing before it is in the shape. The end of the path if that comes first, or if the plane is not approached.
+  /// Moves to the plane with this `normal` (of any nonzero length), above which the point has this `height`; nothing
+  /// before the new position is in the shape. The end of the path if that comes first, or if the path does not approach
+  /// the plane.
   std::optional<RayFinding<N>> move_to(const Vec<N, double>& normal, double height) {
     const double approach = -dot(normal, path_.direction);
     if (!(approach > 0)) return missed_by(height);
@@ -115,9 +116,9 @@ class Advance {
 };
 
 /// Moves along the path, each time to the plane that GJK has found between the point and the shape: Newton's method on
-/// the distance, which is a convex function of t, so it never gets past the first touch. Ends where the shape is as
-/// near as support points can tell, or is not met, or at the step limit, with the distance that is left as the error;
-/// what is farther than that, and yet finds no plane between, is unclear.
+/// the distance, which is a convex function of t, so that it never passes the first touch. Ends where the shape is as
+/// near as support points can tell, or is missed, or at the step limit, with the remaining distance as the error; if
+/// the distance is greater and still no plane is found between, the result is unclear.
 template <Convex S>
 RayFinding<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimension_of<S>>& path) {
   Advance<S> advance(shape, path);
@@ -138,19 +139,19 @@ RayFinding<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimen
   return result;
 }
 
-/// A few points of a shape, seen from another that moves: GJK's simplex, but what belongs to the shape stays as it is.
+/// A few points of a shape, relative to a moving point: GJK's simplex, but its points belong to the shape alone.
 template <Dim N>
 class CornersAhead {
  public:
-  /// False if it is there already.
+  /// False if it is already included.
   bool add(const Vec<N, double>& corner) {
     if (is_corner_of(corners_, corner)) return false;
     corners_.push(corner);
     return true;
   }
 
-  /// Whether a ray goes through the hull of as many as there are dimensions by far more than rounding, which is
-  /// relative to `largest`.
+  /// Whether a ray intersects the hull of as many points as there are dimensions by far more than rounding, relative to
+  /// `largest`.
   bool are_passed(const Vec<N, double>& origin, const Vec<N, double>& direction, double largest) const {
     if (corners_.size != static_cast<std::size_t>(N)) return false;
     const double far = 4 * largest;
@@ -175,7 +176,7 @@ class CornersAhead {
     }
   }
 
-  /// The vector from the nearest point of their hull. Those that have no part in it are forgotten.
+  /// The vector from the nearest point of their hull. Points that do not contribute to it are removed.
   Vec<N, double> nearest_to(const Vec<N, double>& point) {
     Simplex<N> seen;
     for (std::size_t i = 0; i < corners_.size; ++i) seen.push(point - corners_.points[i]);
@@ -192,9 +193,9 @@ class CornersAhead {
   Simplex<N> corners_;
 };
 
-/// The same without waiting for GJK: the point moves as soon as a plane is found that allows it, and the simplex with
-/// it (van den Bergen, "Ray casting against general convex objects with application to continuous collision detection",
-/// 2004). None where neither the point nor the simplex gets on.
+/// The same, but without waiting for GJK to converge: the point moves as soon as a plane allows it, and the simplex
+/// with it (van den Bergen, "Ray casting against general convex objects with application to continuous collision
+/// detection", 2004). None if neither the point nor the simplex makes progress.
 template <Convex S>
 std::optional<RayFinding<dimension_of<S>>> advance_at_once(const S& shape, const Path<dimension_of<S>>& path) {
   constexpr Dim N = dimension_of<S>;
@@ -229,8 +230,8 @@ std::optional<RayFinding<dimension_of<S>>> advance_at_once(const S& shape, const
   return std::nullopt;
 }
 
-/// Where a path first touches any convex shape. One that is known to touch ends where it is nearest. Beside a shape
-/// that is nearer than rounding, a step to a plane along the path may lead past it: a miss found so is left open.
+/// Where a path first touches any convex shape. A path that is known to touch ends at its nearest point. Next to a
+/// shape that is nearer than rounding, a step to a plane along the path may pass it: a miss found this way is unclear.
 template <Convex S>
 RayFinding<dimension_of<S>> advance_to(const S& shape, const Path<dimension_of<S>>& path) {
   if (const auto result = advance_at_once(shape, path)) return *result;
@@ -239,7 +240,7 @@ RayFinding<dimension_of<S>> advance_to(const S& shape, const Path<dimension_of<S
   return result;
 }
 
-// ---- Where it is known to touch
+// ---- Paths that are known to touch
 
 /// From the path's origin to where it has left a bounded shape.
 template <class S>
@@ -250,8 +251,8 @@ Vec<dimension_of<S>, double> reach_past(const S& shape, const Path<dimension_of<
                   Aabb<N, double>{wide<N, scalar_of<S>>(box.min), wide<N, scalar_of<S>>(box.max)});
 }
 
-/// Where a path that only nearly touches is nearest to the shape. At a grazing angle Newton's method has gone past it:
-/// the last plane that it moved to gives the normal, nothing else.
+/// The nearest point of a path that only nearly touches the shape. At a grazing angle Newton's method has passed it:
+/// the last plane gives only the normal.
 template <Convex S>
 Touch<dimension_of<S>> nearest_touch(const S& shape, const Path<dimension_of<S>>& path,
                                      const Touch<dimension_of<S>>& passed) {
@@ -278,10 +279,10 @@ Touch<dimension_of<S>> nearest_touch(const S& shape, const Path<dimension_of<S>>
   return touch;
 }
 
-/// Where GJK says that a path touches which `relation` says does. Where no plane is left between the point and the
-/// shape, Newton's method may have come to rest at the entry without telling so; it has then not passed it. It is the
-/// answer where `relation` finds it on the shape, or where it is off by less than the ray is deep in the shape on the
-/// way to the nearest point: twice the depth in the middle, at most.
+/// The result of GJK for a path that touches according to `relation`. If there was no plane left between the point and
+/// the shape, Newton's method may have stopped at the entry without reporting it; it has not passed it then. It is the
+/// answer if `relation` finds it on the shape, or if its error is less than the depth of the ray on its way to the
+/// nearest point: at most twice the depth in the middle.
 template <Convex S>
 Touch<dimension_of<S>> touch_by_advance(const S& shape, const Path<dimension_of<S>>& path) {
   const RayFinding<dimension_of<S>> found = advance_to(shape, path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The careful way of ray_cast.hpp, for every shape and whatever its filters leave open. Include ray_cast.hpp.
+// The precise algorithm of ray_cast.hpp, for every shape and for all rays that its filters leave undecided. Include
+// ray_cast.hpp.
 #pragma once
 
 #include <algorithm>
@@ -31,13 +32,13 @@ Ray<N, double> relative_to(const Vec<N, double>& origin, const Ray<N, T>& ray) {
   return {wide<N, T>(ray.origin) - origin, wide<N, T>(ray.direction)};
 }
 
-/// A shape with a closed form in double that sees it from the ray's origin.
+/// A shape with a closed form in double, relative to the ray's origin.
 template <class S>
 concept HasRayVerdict = requires(const S& shape, const Path<dimension_of<S>>& path) {
   ray_verdict_of(relative_to(path.origin, shape), path);
 };
 
-/// One of which most paths that miss can be told at once.
+/// A shape with a fast test that rejects most paths that miss it.
 template <class S>
 concept HasQuickMiss = requires(const S& shape, const Path<dimension_of<S>>& path) {
   is_missed(relative_to(path.origin, shape), path);
@@ -46,7 +47,7 @@ concept HasQuickMiss = requires(const S& shape, const Path<dimension_of<S>>& pat
 template <class S>
 concept HasBoundaryVerdict = is_a<Plane, S> || is_a<HalfSpace, S>;
 
-// ---- What the path is, as `relation` is asked about it
+// ---- The path as an argument of `relation`
 
 template <Dim N, class T>
 struct AskAboutSegment {
@@ -58,7 +59,7 @@ struct AskAboutSegment {
   const Segment<N, T>& segment;
 };
 
-/// All of a ray.
+/// The whole ray.
 template <Dim N, class T>
 struct AskAboutRay {
   template <class S>
@@ -71,7 +72,7 @@ struct AskAboutRay {
 
 // ---- One simple shape
 
-/// What the shape's closed form says, its points where they belong.
+/// The result of the shape's closed form, with points in the original coordinates.
 template <class S>
 [[gnu::always_inline]] inline RayFinding<dimension_of<S>> verdict(const S& shape, const Path<dimension_of<S>>& path) {
   constexpr Dim N = dimension_of<S>;
@@ -92,8 +93,8 @@ template <class S>
   }
 }
 
-/// Where an unclear path touches, if `relation` says that it does. That says so of what is apart by less than the
-/// rounding of its longest calculations, which is a few times that of the closed forms here.
+/// Where an unclear path touches, if `relation` decides that it does. `relation` also reports a touch for shapes that
+/// are apart by less than the rounding of its longest calculations, which is a few times that of the closed forms here.
 template <class S, class Ask>
 RayFinding<dimension_of<S>> settled(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask,
                                     const RayFinding<dimension_of<S>>& unclear) {
@@ -115,7 +116,7 @@ RayFinding<dimension_of<S>> settled(const S& shape, const Path<dimension_of<S>>&
   return result;
 }
 
-/// A hit, if `relation` confirms it where it has to.
+/// A hit, if `relation` confirms it where necessary.
 template <class S, class Ask>
 RayFinding<dimension_of<S>> confirmed(const S& shape, const Ask& ask, const RayFinding<dimension_of<S>>& hit) {
   return hit.is_certain || ask(shape) != Relation::apart ? hit : missed<dimension_of<S>>();
@@ -129,7 +130,8 @@ RayFinding<dimension_of<S>> entry(const S& shape, const Path<dimension_of<S>>& p
   return result.verdict == RayVerdict::hits ? confirmed(shape, ask, result) : result;
 }
 
-/// A power of two that t can not reach before the path has left the shape; exact, so that turning the path round is.
+/// A power of two that t cannot reach before the path has left the shape; exact, so that the reversed path is exact,
+/// too.
 template <class S>
 double beyond(const S& shape, const Path<dimension_of<S>>& path) {
   constexpr Dim N = dimension_of<S>;
@@ -139,7 +141,7 @@ double beyond(const S& shape, const Path<dimension_of<S>>& path) {
   return std::ldexp(1.0, exponent + 1);
 }
 
-/// The entry of the path turned round, from where it has left the shape.
+/// The entry of the reversed path, from a point where the path has left the shape.
 template <class S, class Ask>
 RayFinding<dimension_of<S>> last_touch(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
   constexpr Dim N = dimension_of<S>;
@@ -168,13 +170,13 @@ RayFinding<dimension_of<S>> exit(const S& shape, const Path<dimension_of<S>>& pa
   return entry(shape, path, ask).verdict == RayVerdict::misses ? missed<dimension_of<S>>() : last;
 }
 
-/// Never left: where a path leaves for good is then infinitely far away.
+/// Never left: the path then leaves at infinity.
 template <Dim N>
 RayFinding<N> never() {
   return {RayVerdict::hits, {std::numeric_limits<double>::infinity()}};
 }
 
-/// A path meets a plane once, and leaves it there, but for one that runs along it.
+/// A path meets a plane once, and leaves it there, unless it runs along it.
 template <Dim N, class T, class Ask>
 RayFinding<N> exit(const Plane<N, T>& plane, const Path<N>& path, const Ask& ask) {
   RayFinding<N> result = entry(plane, path, ask);
@@ -183,7 +185,7 @@ RayFinding<N> exit(const Plane<N, T>& plane, const Path<N>& path, const Ask& ask
   return result;
 }
 
-/// A half-space is left if the path climbs, and never if not.
+/// A path leaves a half-space if it climbs, otherwise never.
 template <Dim N, class T, class Ask>
 RayFinding<N> exit(const HalfSpace<N, T>& solid, const Path<N>& path, const Ask& ask) {
   if (ask(solid) == Relation::apart) return missed<N>();
@@ -196,7 +198,7 @@ RayFinding<N> exit(const HalfSpace<N, T>& solid, const Path<N>& path, const Ask&
   return result;
 }
 
-/// A ray on the same line is left at its origin, or never if it runs the same way; any other where it is met.
+/// A ray on the same line is left at its origin, or never if it has the same direction; any other ray where it is met.
 template <Dim N, class T, class Ask>
 RayFinding<N> exit(const Ray<N, T>& target, const Path<N>& path, const Ask& ask) {
   RayFinding<N> result = entry(target, path, ask);
@@ -231,7 +233,7 @@ RayFinding<N> find_hit(const Aabb<N, T>& box, const Path<N>& path, RaySide side,
 template <Dim N, class T, class Ask>
 RayFinding<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide side, const Ask& ask);
 
-/// Whether the path passes a part's box by far. The box of an unbounded part is never passed.
+/// Whether the path passes a part's box by far. Never for the box of an unbounded part.
 template <Dim N, class T>
 bool passes_by(const Aabb<N, T>& box, const Path<N>& path) {
   if (!is_finite(box.min) || !is_finite(box.max)) return false;
@@ -239,8 +241,8 @@ bool passes_by(const Aabb<N, T>& box, const Path<N>& path) {
   return slabs_of<N>(beside, tolerance::ray_side).are_missed(path.t_max);
 }
 
-/// The nearest entry, or the farthest exit; of several the first part's. Once a part is hit, only what has its box
-/// before that is of interest, but asked as if it were alone.
+/// The nearest entry, or the farthest exit; of several equal ones the first part's. After a hit only parts whose box is
+/// entered before it matter, but each is evaluated as if it were alone.
 template <Dim N, class T, class Ask>
 RayFinding<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RaySide side, const Ask& ask) {
   RayFinding<N> best = missed<N>();
@@ -264,7 +266,7 @@ RayFinding<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide
 
 // ---- To and from T
 
-/// The normal where the shape has none to give: against the ray at an entry, with it at an exit.
+/// The normal if the shape has none: against the ray at an entry, along it at an exit.
 template <Dim N>
 Vec<N, double> default_normal(const Vec<N, double>& direction, RaySide side) {
   return unit_or(side == RaySide::entry ? -direction : direction, Vec<N, double>(0.0));
@@ -275,13 +277,13 @@ template <Dim N, Scalar T>
                                                    RaySide side) {
   const double squared = dot(touch.normal, touch.normal);
   const Vec<N, double> normal = squared > 0x1p-900 && squared < 0x1p900
-                                    ? touch.normal / std::sqrt(squared)  // no square is lost
+                                    ? touch.normal / std::sqrt(squared)  // squaring does not underflow
                                     : unit_or(touch.normal, default_normal(direction, side));
   return {static_cast<T>(t) + T(0),  // never minus zero
           Vec<N, T>(touch.point) + T(0), Vec<N, T>(normal) + T(0), touch.status, touch.error};
 }
 
-/// The careful way for whatever needs it.
+/// The precise algorithm, if it is needed.
 template <class S, class Ask>
 [[gnu::noinline]] RayFinding<dimension_of<S>> find_carefully(const S& shape, const Path<dimension_of<S>>& path,
                                                              RaySide side, const Ask& ask) {
@@ -290,9 +292,9 @@ template <class S, class Ask>
   return side == RaySide::entry || is_in_time ? result : missed<dimension_of<S>>();
 }
 
-/// The hit in T, for a direction that is not zero, of a path that goes on to `end`: where it misses the shape up to its
-/// t_max, by more than rounding, there is no look at the rest. Most rays take the short way, on which nothing leaves
-/// the registers: copies of what was just written to memory would take longer than the closed forms.
+/// The hit in T, for a direction that is not zero, of a path that ends at `end`: if it misses the shape up to its
+/// t_max, by more than rounding, nothing else is evaluated. Most rays take the fast path, on which everything stays in
+/// registers: copies of freshly written memory would take longer than the closed forms.
 template <class S, class Ask>
 [[gnu::always_inline]] inline auto cast_along(const S& shape, const Path<dimension_of<S>>& path, double end,
                                               RaySide side, const Ask& ask) {
@@ -307,7 +309,7 @@ template <class S, class Ask>
       }
       RayFinding<N> quick = verdict(shape, path);
       if (quick.verdict == RayVerdict::misses) return Hit();
-      // How well a capsule's closed form knows the distance depends on where the path ends.
+      // How precisely a capsule's closed form knows the distance depends on the end of the path.
       const bool is_whole = !is_a<Capsule, S> || path.t_max == end;
       if (quick.verdict == RayVerdict::hits && is_whole) {
         if constexpr (!has_closed_form) quick = confirmed(shape, ask, quick);
@@ -322,21 +324,21 @@ template <class S, class Ask>
   return Hit(rounded<N, T>(found.touch, found.touch.t, path.direction, side));
 }
 
-/// The careful way of a ray. Not inlined, so that what is quick shares no memory with it.
+/// The precise algorithm for a ray. Not inlined, so that the fast path does not share stack memory with it.
 template <class S, Dim N, class T>
 [[gnu::noinline]] std::optional<RayHit<N, T>> cast_usable_ray(const S& shape, const Ray<N, T>& ray, double t_max,
                                                               RaySide side) {
   constexpr double forever = std::numeric_limits<double>::infinity();
-  // A plane along a ray, up to rounding, is not met, though the ray may get to its other side in the end.
+  // A plane parallel to a ray, up to rounding, is not met, although the ray may cross it far away.
   const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), HasBoundaryVerdict<S> ? forever : t_max};
   return cast_along(shape, path, forever, side, AskAboutRay<N, T>{ray});
 }
 
-/// The shapes of which all lengths are seen from the ray's origin.
+/// Shapes of which all lengths are relative to the ray's origin.
 template <class S>
 inline constexpr bool is_seen_from_ray = is_core<S> || is_a<Triangle, S>;
 
-/// Whether a ray or segment can be cast at a shape as they are.
+/// Whether a ray or segment can be cast at a shape without scaling.
 template <class S, Dim N, class T>
 bool can_be_cast(const S& shape, const Ray<N, T>& ray) {
   if constexpr (is_seen_from_ray<S>) {
@@ -355,7 +357,7 @@ bool can_be_cast(const S& shape, const Segment<N, T>& segment) {
   }
 }
 
-/// cast(shape, ray, t_max) of a shape and a ray that are out of range; none of others.
+/// cast(shape, ray, t_max) for a shape and a ray that are out of range; none for others.
 template <class S, Dim N, class Cast>
 [[gnu::noinline, gnu::cold]] std::optional<std::optional<RayHit<N, double>>> unusual_hit(const S& shape,
                                                                                          const Ray<N, double>& ray,
@@ -366,7 +368,7 @@ template <class S, Dim N, class Cast>
       [&](const PowerOfTwo& power, const auto& scaled_shape, const auto& scaled_ray) {
         const PowerOfTwo of_t(power.exponent() + unusual_exponent_of(ray.direction));
         Hit hit = cast(scaled_shape, scaled_ray, of_t(t_max));
-        if (!hit || !is_finite(hit->point)) return Hit();  // or where no number reaches
+        if (!hit || !is_finite(hit->point)) return Hit();  // or the point is not representable
         hit->t = std::min(of_t.inverse()(hit->t), t_max);
         hit->point = power.inverse()(hit->point);
         hit->error = power.inverse()(hit->error);

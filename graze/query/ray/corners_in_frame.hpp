@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CornersInFrame(corners, origin): a few corners as they are seen from a point, in rows that are searched several
-// times.
+// CornersInFrame(corners, origin): a few corners relative to a point, in rows for repeated searches.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +15,8 @@
 
 namespace graze::detail {
 
-/// Up to `room` corners, at least one, in double and relative to a point. To search them takes no branch on what is
-/// found, which would be guessed wrong every few corners, and longer than all products together.
+/// Up to `room` corners, at least one, in double and relative to a point. Searching them is branch-free: a branch on
+/// the result would be mispredicted every few corners and take longer than all products together.
 class CornersInFrame {
  public:
   static constexpr std::size_t room = 64;
@@ -40,7 +39,7 @@ class CornersInFrame {
     return {{min_x, min_y, min_z}, {max_x, max_y, max_z}};
   }
 
-  /// The farthest in a direction; of several the first.
+  /// The farthest in a direction; the first of several.
   Vec<3, double> farthest(const Vec<3, double>& direction) const {
     Best best;
 #ifdef GRAZE_HAS_LANES
@@ -129,7 +128,7 @@ class CornersInFrame {
     z_[i] = corner.z;
   }
 
-  std::size_t count_;  ///< A multiple of `together`: after the last corner stands the first.
+  std::size_t count_;  ///< A multiple of `together`: the first corner is repeated after the last.
   Row x_, y_, z_;
 };
 

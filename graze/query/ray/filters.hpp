@@ -14,8 +14,9 @@
 
 namespace graze::detail {
 
-/// One of which a filter settles most rays in few steps, in float or without care: `quick_cast` has a `sight`, and a
-/// `hit` where that is one. It never contradicts the careful way, which is asked where it is unclear.
+/// A shape for which a filter decides most rays in few steps, in float or with little precision: `quick_cast` has a
+/// `sight`, and a `hit` if the verdict is one. It never contradicts the precise algorithm, which decides what is
+/// unclear.
 template <class S>
 concept HasQuickCast = requires(const S& shape, const Ray<dimension_of<S>, scalar_of<S>>& ray) {
   quick_cast(shape, ray, ray.origin.x);

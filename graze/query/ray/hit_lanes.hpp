@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A hit in space and in float, written by the four numbers. Include ray_cast.hpp.
+// A 3D hit in float, written four numbers at a time. Include ray_cast.hpp.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace graze::detail {
 
-/// Of t, x, y, z and of the normal and a zero. No number is minus zero.
+/// From t, x, y, z, and from the normal and a zero. No number is minus zero.
 [[gnu::always_inline]] inline std::optional<RayHit<3, float>> hit_of(Lanes t_and_point, Lanes normal, double error) {
   using Hit = RayHit<3, float>;
   static_assert(std::is_trivially_copyable_v<Hit> && std::is_standard_layout_v<Hit>);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Where most rays enter a polytope in space, or that they miss it. Include ray_cast.hpp.
+// Where most rays enter a 3D polytope, or that they miss it. Include ray_cast.hpp.
 //
-// Seen along the ray, the polytope is a flat set of points, and the ray is one point. Three corners around it are a
-// portal, through which the ray must go (Snethen, "XenoCollide: complex collision made simple", 2008). The corner that
-// is farthest before the portal's plane takes the place of one of the three, until there is none: then the portal lies
-// in the face that the ray enters.
+// Projected along the ray, the polytope is a planar set of points, and the ray is one point. Three corners around it
+// are a portal, through which the ray must pass (Snethen, "XenoCollide: complex collision made simple", 2008). The
+// corner that is farthest in front of the portal's plane replaces one of the three, until there is none: then the
+// portal lies in the face that the ray enters.
 //
-// How the portal was found need not be exact, for what is said of it is proved anew: the triangle belongs to the
-// polytope, and all corners are behind its plane, up to rounding. Of the three corners and the plane the ray's passage
-// is then as certain as that through a triangle. What is not proved so is left to advance.hpp.
+// The search for the portal need not be exact, because its result is verified: the triangle belongs to the polytope,
+// and all corners are behind its plane, up to rounding. From the three corners and the plane, the ray's intersection is
+// then as certain as with a triangle. Anything not verified is left to advance.hpp.
 #pragma once
 
 #include <algorithm>
@@ -29,12 +29,12 @@
 
 namespace graze::detail {
 
-/// Six corners are looked up for a ray at a hull of 32 on average. What takes ten times as many is turned back and
-/// forth by rounding.
+/// A ray against a hull of 32 corners takes six support points on average. A search that takes ten times as many
+/// alternates because of rounding.
 inline constexpr int portal_step_limit = 64;
 
-/// Three corners as the ray's origin sees them. Seen along the ray they go counter-clockwise around it: direction .
-/// (a x b) is positive, and so of b and c, and c and a.
+/// Three corners relative to the ray's origin. Projected along the ray they are counter-clockwise around it: direction
+/// . (a x b) is positive, and so are those of b and c, and c and a.
 struct Portal {
   Vec<3, double> a;
   Vec<3, double> b;
@@ -44,7 +44,7 @@ struct Portal {
   Vec<3, double> normal() const { return cross(c - a, b - a); }
 };
 
-/// More corners than CornersInFrame has room for, each time looked up where they are.
+/// More corners than fit into CornersInFrame, each read in place.
 template <class T>
 class CornersInPlace {
  public:
@@ -58,7 +58,7 @@ class CornersInPlace {
   const Vec<3, double>& origin_;
 };
 
-/// Finds what a ray from its origin goes through.
+/// Finds the portal of a ray from its origin.
 template <class Corners>
 class PortalSearch {
  public:
@@ -70,7 +70,7 @@ class PortalSearch {
         band_(64 * tolerance::convex * size_),
         past_(2 * size_ / max_abs(path.direction)) {}
 
-  /// None where it is not certain by far.
+  /// None unless it is certain by far.
   std::optional<RayFinding<3>> finding() const {
     const auto is_moderate = [](double x) { return x > 0x1p-160 && x < 0x1p160; };  // no product overflows
     if (!is_moderate(size_) || !is_moderate(max_abs(path_.direction))) return std::nullopt;
@@ -93,17 +93,17 @@ class PortalSearch {
     return corner.x + corner.y + corner.z < -band_ * sum_abs(path_.direction);
   }
 
-  /// Twice the area between the ray and two corners, seen along the ray.
+  /// Twice the area between the ray and two corners, projected along the ray.
   double area(const Vec<3, double>& p, const Vec<3, double>& q) const { return dot(path_.direction, cross(p, q)); }
 
-  /// From a point at right angles to the ray.
+  /// From a point perpendicularly to the ray.
   Vec<3, double> towards_ray(const Vec<3, double>& p) const {
     return path_.direction * (dot(p, path_.direction) / dot(path_.direction, path_.direction)) - p;
   }
 
-  /// The corner farthest in a direction at right angles to the ray, and whether it is beyond the ray: if not, all are
-  /// on one side, and where it is before it by more than what `relation` may call touching, the ray misses. Of a
-  /// direction that is little more than rounding the angle may be any; then the ray itself comes towards the corners.
+  /// The corner farthest in a direction perpendicular to the ray, and whether it is beyond the ray: if not, all are on
+  /// one side, and if it falls short of it by more than what `relation` may call touching, the ray misses. If the
+  /// direction is little more than rounding, the angle may be arbitrary; then the ray itself may approach the corners.
   RayVerdict reach(const Vec<3, double>& direction, Vec<3, double>& corner) const {
     corner = corners_.farthest(direction);
     const double height = dot(direction, corner);
@@ -112,7 +112,7 @@ class PortalSearch {
     return height < lowest_of_ray - band_ * sum_abs(direction) ? RayVerdict::misses : RayVerdict::unclear;
   }
 
-  /// Any portal. Two corners have the ray on their left; the farthest on that side makes three, or takes the place of
+  /// Any portal. Two corners have the ray on their left; the farthest on that side completes the portal, or replaces
   /// one of the two.
   RayVerdict find(Portal& portal) const {
     auto& [a, b, c] = portal;
@@ -160,8 +160,8 @@ class PortalSearch {
   }
 
   /// The ray through a triangle of the polytope that no corner rises above by more than tolerance::rounding of the
-  /// size; as much again is what heights, t and the point are rounded by. Where the path ends is decided as for
-  /// triangles, whose steepness makes end_slack the same distance from the plane.
+  /// size; the rounding of heights, t and the point is as much again. The end of the path is decided as for triangles,
+  /// whose steepness makes end_slack the same distance from the plane.
   std::optional<RayFinding<3>> passage(const Portal& portal, const Vec<3, double>& normal) const {
     const auto& [origin, direction, t_max, far] = path_;
     const TriangleBesidePath beside({portal.a, portal.b, portal.c}, {Vec<3, double>(0.0), direction, t_max, size_});
@@ -185,12 +185,12 @@ class PortalSearch {
   const Corners& corners_;
   const Path<3>& path_;
   Aabb<3, double> box_;  ///< From the path's origin.
-  double size_;          ///< No coordinates, of corners and path, sum up to more.
+  double size_;          ///< No coordinates, of corners and path, have a larger sum.
   double band_;          ///< What `relation` may call touching.
-  double past_;          ///< The t at which the ray has left everything behind.
+  double past_;          ///< The t at which the ray is past everything.
 };
 
-/// Where a path enters a polytope in space.
+/// Where a path enters a 3D polytope.
 template <class T>
 RayFinding<3> ray_verdict_of_polytope(const Polytope<3, T>& polytope, const Path<3>& path) {
   std::optional<RayFinding<3>> result;

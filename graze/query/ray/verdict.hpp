@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The closed forms of ray_cast.hpp for spheres and capsules, and what all its closed forms give. Include ray_cast.hpp.
+// The closed forms of ray_cast.hpp for spheres and capsules, and the results of all closed forms. Include ray_cast.hpp.
 //
-// A closed form sees the shape from the ray's origin, in double, so that rounding does not grow with the distance from
-// zero. It settles all rays but those which nearly touch, and for those says where they would: `relation` decides.
+// Closed forms are calculated relative to the ray's origin, in double, so that rounding does not grow with the distance
+// from the coordinate origin. They decide all rays but those that nearly touch; for those they return where these would
+// touch, and `relation` decides.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +23,9 @@
 
 namespace graze::detail {
 
-/// All points origin + t * direction with 0 <= t <= t_max. No coordinate of the direction leaves the range in which its
-/// square is a number, and t_max may be infinite. `far` is how long the path is for `relation`, whose rounding grows
-/// with it: zero for rays, whose end `relation` is not asked about.
+/// All points origin + t * direction with 0 <= t <= t_max. The coordinates of the direction can be squared in range,
+/// and t_max may be infinite. `far` is the length of the path for `relation`, whose rounding grows with it: zero for
+/// rays, whose end is irrelevant to `relation`.
 template <Dim N>
 struct Path {
   Vec<N, double> origin;
@@ -33,7 +34,8 @@ struct Path {
   double far = 0;
 };
 
-/// No t after this, rounded to T, is t_max or before it; t_max itself, or little more. Not for a negative t_max.
+/// Any greater t, rounded to T, is greater than t_max. This is t_max itself, or slightly more. Not for a negative
+/// t_max.
 template <class T>
 double latest_t(T t_max) {
   if constexpr (std::is_same_v<T, double>) {
@@ -64,7 +66,8 @@ struct Usable {
     }
   }
 
-  /// The same place in units of the usable direction, and back: in two steps, since the scale may be beyond a double.
+  /// The same point in units of the usable direction, and back: in two steps, since the scale may exceed the range of
+  /// double.
   double to_usable(double t) const { return t / scale / rest; }
   double from_usable(double t) const { return t * scale * rest; }
 
@@ -80,12 +83,12 @@ enum class RayVerdict {
   unclear,
 };
 
-/// What a closed form says of a path from zero.
+/// The result of a closed form for a path from zero.
 template <Dim N>
 struct RayFinding {
   RayVerdict verdict = RayVerdict::misses;
   Touch<N> touch{};            ///< If the path hits, or if it is unclear but touches after all.
-  bool is_touch_known = true;  ///< False where the closed form does not know where the path would touch.
+  bool is_touch_known = true;  ///< False if the closed form does not know where the path would touch.
   bool is_certain = true;      ///< False of a hit by GJK, which `relation` has to confirm.
 };
 
@@ -94,18 +97,18 @@ RayFinding<N> missed() {
   return {};
 }
 
-/// Unclear, and the touch to be found by advance_to.
+/// Unclear; the touch is found by advance_to.
 template <Dim N>
 RayFinding<N> unsettled() {
   return {RayVerdict::unclear, {}, false};
 }
 
-// ---- Balls
+// ---- Spheres
 
-/// Where the line t * direction enters a sphere that it meets, up to rounding. Seen along the ray, the center is off it
-/// by the vector l = center - direction * middle; calculated so, l is right for a small sphere far away, where the
-/// textbook's b^2 - 4 a c is rounding alone (Haines, Guenther, Akenine-Moeller, "Precision improvements for ray/sphere
-/// intersection", 2019).
+/// Where the line t * direction enters a sphere that it meets, up to rounding. Projected along the ray, the center is
+/// off it by the vector l = center - direction * middle; calculated this way, l is precise for a small distant sphere,
+/// where the textbook's b^2 - 4 a c is nothing but rounding (Haines, Guenther, Akenine-Moeller, "Precision improvements
+/// for ray/sphere intersection", 2019).
 template <Dim N>
 struct SpherePassage {
   SpherePassage(const Vec<N, double>& direction, const Vec<N, double>& center, double squared_radius)
@@ -127,7 +130,7 @@ struct SpherePassage {
   double half;
 };
 
-/// The normal of a round shape along a spoke, which is rounded by `error`. Against the ray, even so; none if the shape
+/// The normal of a round shape along a spoke with the given rounding `error`. Always against the ray; none if the shape
 /// is not larger than the rounding.
 template <Dim N>
 Vec<N, double> normal_along(const Vec<N, double>& spoke, const Vec<N, double>& direction, double error) {
@@ -150,8 +153,8 @@ Touch<N> touch_of_sphere(const Sphere<N, double>& sphere, const SpherePassage<N>
   return touch;
 }
 
-/// Whether the line of a path misses a sphere by more than `ray_verdict_of` leaves open. Of most paths this is all that
-/// is asked, and a verdict alone does not go through memory.
+/// Whether the line of a path misses a sphere by more than `ray_verdict_of` leaves undecided. For most paths this is
+/// enough, and a verdict alone needs no memory.
 template <Dim N>
 [[gnu::always_inline]] inline bool is_missed(const Sphere<N, double>& sphere, const Path<N>& path) {
   const double squared_radius = sphere.radius * sphere.radius;
@@ -180,7 +183,7 @@ template <Dim N>
 
 // ---- Capsules
 
-/// How far a path from zero is from a segment, squared, unless they are within 7 degrees of parallel; after
+/// The squared distance of a path from zero to a segment, unless they are within 7 degrees of parallel; as in
 /// filter_of_segments, but in units of the direction.
 template <Dim N>
 std::optional<Relation> filter_of_path(const Capsule<N, double>& capsule, const Path<N>& path) {
@@ -213,8 +216,8 @@ bool holds_zero(const Capsule<N, double>& capsule) {
   return dot(off, off) <= capsule.radius * capsule.radius;
 }
 
-/// The touch of a path that is known to hit and is not nearly parallel to the axis: on the tube, which is a sphere as
-/// seen along the axis, if that is between the two ends, else on the sphere around the nearer end.
+/// The touch of a path that is known to hit and is not nearly parallel to the axis: on the cylinder, which is a sphere
+/// when projected along the axis, if that is between the two ends, otherwise on the sphere around the nearer end.
 template <Dim N>
 Touch<N> touch_of_capsule(const Capsule<N, double>& capsule, const Vec<N, double>& direction, double t_max) {
   Touch<N> touch;

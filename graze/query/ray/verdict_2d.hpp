@@ -25,7 +25,7 @@
 
 namespace graze::detail {
 
-// ---- Points, segments, rays: sets that most rays miss and the others only just touch, which `relation` decides
+// ---- Points, segments, rays: sets that most rays miss and that others barely touch, which `relation` decides
 
 template <Dim N>
 RayFinding<N> ray_verdict_of(const Vec<N, double>& point, const Path<N>& path) {
@@ -34,16 +34,16 @@ RayFinding<N> ray_verdict_of(const Vec<N, double>& point, const Path<N>& path) {
   return {RayVerdict::unclear, {t, point, Vec<N, double>(0.0), tolerance::rounding * sum_abs(point)}};
 }
 
-/// Between these t the path is beside a part of a line.
+/// The range of t in which the path is beside a part of a line.
 struct Beside {
   double first;
   double last;
   double size;  ///< What rounding is relative to.
 };
 
-/// With w = start, e = edge and n = direction x e, the lines are nearest where t n^2 = (w x e) . n. Nearly parallel
-/// ones may have that anywhere, but not where the path is not beside the edge; and they are as good as touching before,
-/// from where they are as near as rounding can tell. The normal is at right angles to the edge.
+/// With w = start, e = edge and n = direction x e, the lines are nearest where t n^2 = (w x e) . n. For nearly parallel
+/// lines that may be anywhere, but not where the path is not beside the edge; and they already touch, up to rounding,
+/// from where they are as near as rounding can tell. The normal is perpendicular to the edge.
 template <Dim N>
 RayFinding<N> ray_verdict_of_edge(const Vec<N, double>& start, const Vec<N, double>& edge,
                                   const Vec<N, double>& direction, const Beside& beside) {
@@ -79,7 +79,7 @@ RayFinding<N> ray_verdict_of(const Segment<N, double>& segment, const Path<N>& p
   return ray_verdict_of_edge<N>(segment.start, edge, direction, beside);
 }
 
-/// Of a ray that starts farther along and comes against the path, all until its origin is beside it.
+/// For an opposite ray that starts farther along the path: the path until its origin is beside it.
 template <Dim N>
 RayFinding<N> ray_verdict_of(const Ray<N, double>& ray, const Path<N>& path) {
   const auto& [zero, direction, t_max, far] = path;
@@ -90,15 +90,15 @@ RayFinding<N> ray_verdict_of(const Ray<N, double>& ray, const Path<N>& path) {
   return ray_verdict_of_edge<N>(ray.origin, edge, direction, beside);
 }
 
-// ---- Triangles in space
+// ---- Triangles in 3D
 
-/// A ray from zero passes an edge from p to q on the side that the sign of direction . (p x q) says, and a triangle's
-/// inside if it passes all edges on one side. Two triangles at one edge see exactly opposite signs, and what is nearer
-/// to an edge than rounding can tell is left to `relation`, which says of both that they are touched: through a closed
-/// mesh no ray slips (Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013, reach the same by rounding
-/// both alike).
+/// A ray from zero passes an edge from p to q on the side given by the sign of direction . (p x q), and goes through a
+/// triangle if it passes all edges on one side. Two triangles with a common edge get exactly opposite signs, and what
+/// is nearer to an edge than rounding can tell is left to `relation`, for which both are touched: no ray passes through
+/// a closed mesh (Woop, Benthin, Wald, "Watertight ray/triangle intersection", 2013, achieve the same by rounding both
+/// alike).
 ///
-/// With S the size of the corners, D of the direction and E of the edges, the three signs are trusted from
+/// With S as the size of the corners, D of the direction and E of the edges, the three signs are trusted from
 /// tolerance::ray_side S D E on: then the ray passes that far from the edges, relative to S. A ray is called steep if
 /// the sine of its angle with the plane is at least 2^-10; along it, 2^-30 of S is 2^-40 of S away from the plane.
 struct TriangleBesidePath {
@@ -124,8 +124,8 @@ struct TriangleBesidePath {
   bool is_passed() const { return least < -band && most > band; }
 };
 
-/// Whether the line of the path passes the triangle: then ray_verdict_of says that it is missed. Of most paths this is
-/// all that is asked, and a verdict alone does not go through memory.
+/// Whether the line of the path passes the triangle: then ray_verdict_of returns a miss. For most paths this is enough,
+/// and a verdict alone needs no memory.
 [[gnu::always_inline]] inline bool is_missed(const Triangle<3, double>& triangle, const Path<3>& path) {
   return TriangleBesidePath(triangle, path).is_passed();
 }
@@ -152,14 +152,14 @@ inline RayFinding<3> ray_verdict_of(const Triangle<3, double>& triangle, const P
   result.touch.point = direction * result.touch.t;
   result.touch.normal = climb > 0 ? -normal : normal;
   result.touch.error = tolerance::rounding * (size + edges);
-  // Beside an edge the plane is crossed up to 2^10 times as far from the triangle as the ray passes it.
+  // Beside an edge, the plane is crossed up to 2^10 times as far from the triangle as the ray passes the edge.
   if (!is_inside) {
     result.is_touch_known = surface_point(triangle, result.touch.point).distance <= result.touch.error;
   }
   return result;
 }
 
-/// The same of a whole ray, for who only asks whether it hits; NaN is unclear, or misses.
+/// The same for a whole ray, if only the verdict matters; NaN is unclear or a miss.
 inline RayVerdict ray_verdict_of_ray(const Triangle<3, double>& triangle, const Ray<3, double>& ray) {
   if (!is_usable(ray.direction)) return RayVerdict::unclear;
   constexpr double forever = std::numeric_limits<double>::infinity();
@@ -169,16 +169,16 @@ inline RayVerdict ray_verdict_of_ray(const Triangle<3, double>& triangle, const 
 // ---- Polygons
 
 /// Where a path enters and leaves the half-planes left of a convex polygon's edges (Cyrus and Beck, "Generalized two-
-/// and three-dimensional clipping", 1978), with what it takes to move by `margin` across each. No coordinate of a
-/// corner, as the path's origin sees it, is more than `size`: by the rounding of that, short edges are turned.
+/// and three-dimensional clipping", 1978), with the change of t that moves it by `margin` across each. No coordinate of
+/// a corner, relative to the path's origin, exceeds `size`: the rounding of that rotates short edges.
 class EdgeCrossings {
  public:
   EdgeCrossings(double margin, double size) : margin_(margin), noise_(4 * tolerance::epsilon * size), size_(size) {}
 
-  /// False when the path misses the polygon because of this edge.
+  /// False if the path misses the polygon because of this edge.
   bool add(const Vec<2, double>& from, const Vec<2, double>& to, const Vec<2, double>& direction) {
     const Vec<2, double> outward(to.y - from.y, from.x - to.x);
-    const double height = -dot(outward, from);  // of zero over the edge
+    const double height = -dot(outward, from);  // of zero above the edge
     const double climb = dot(outward, direction);
     const double slack = margin_ * sum_abs(outward) + noise_ * size_;
     constexpr double least_sine = 0x1p-40;
@@ -191,7 +191,7 @@ class EdgeCrossings {
     if (climb < 0) {
       latest_enter_ = std::max(latest_enter_, t + slack_t);
       earliest_enter_ = std::max(earliest_enter_, t - slack_t);
-      // Entered where the last edge is crossed, however nearly the path runs along it: its slack is for verdicts.
+      // Entered where the last edge is crossed, however nearly the path runs along it: its slack affects only verdicts.
       if (t > enter_) {
         enter_ = t;
         normal_ = outward;
@@ -208,8 +208,8 @@ class EdgeCrossings {
     if (!(std::max(earliest_enter_, 0.0) <= exit)) return missed<2>();
     if (is_along_) return unsettled<2>();
     RayFinding<2> result{RayVerdict::unclear, {}};
-    // Past a corner the ray may leave before it enters, for all that rounding tells: far from where the sides say, if
-    // they are nearly parallel to it.
+    // Next to a corner, rounding may have the ray leave before it enters: far from where the sides are, if they are
+    // nearly parallel to it.
     if (latest_enter_ > earliest_exit_) return unsettled<2>();
     const bool is_hit = latest_enter_ <= t_max && earliest_exit_ >= 0;
     if (is_hit) result.verdict = RayVerdict::hits;
@@ -231,10 +231,10 @@ class EdgeCrossings {
   double earliest_exit_ = infinity;
   double latest_exit_ = infinity;
   Vec<2, double> normal_ = Vec<2, double>(0.0);
-  bool is_along_ = false;  ///< The path runs along an edge, for all that rounding leaves of the angle.
+  bool is_along_ = false;  ///< The path runs along an edge, up to the rounding of the angle.
 };
 
-/// Corners as Polytope has them, seen from `origin`. `far` is what relation's rounding is relative to, beside the
+/// Corners as in Polytope, relative to `origin`. `far` is what relation's rounding is relative to, besides the
 /// polygon's own size.
 template <class T>
 RayFinding<2> ray_verdict_of_polygon(Corners<T> corners, double far, const Path<2>& path) {
@@ -266,16 +266,16 @@ inline RayFinding<2> ray_verdict_of(const Triangle<2, double>& triangle, const P
   return ray_verdict_of_polygon<double>(corners, 0, {Vec<2, double>(0.0), path.direction, path.t_max, path.far});
 }
 
-// ---- Planes and half-spaces, where they are stored
+// ---- Planes and half-spaces, in the original coordinates
 
-/// Whether the path is parallel to the plane, for all that rounding tells.
+/// Whether the path is parallel to the plane, up to rounding.
 template <Dim N, class T>
 bool is_along(const Plane<N, T>& plane, const Path<N>& path) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
   return std::fabs(dot(normal, path.direction)) <= tolerance::rounding * dot(abs(normal), abs(path.direction));
 }
 
-/// How far off `relation` may be at either end of a path that ends at `point`.
+/// The error of `relation` at either end of a path that ends at `point`.
 template <Dim N, class T>
 double error_at_plane(const Plane<N, T>& plane, const Path<N>& path, const Vec<N, double>& point) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
@@ -284,7 +284,8 @@ double error_at_plane(const Plane<N, T>& plane, const Path<N>& path, const Vec<N
   return tolerance::convex * magnitude / max_abs(normal);
 }
 
-/// The touch of a path that meets the plane in time, or nearly does at one of its ends; its error has what is left.
+/// The touch of a path that meets the plane in time, or nearly does at one of its ends; its error includes the
+/// remaining distance.
 template <Dim N, class T>
 Touch<N> touch_of_plane(const Plane<N, T>& plane, const Path<N>& path) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
@@ -300,7 +301,7 @@ Touch<N> touch_of_plane(const Plane<N, T>& plane, const Path<N>& path) {
   return touch;
 }
 
-/// On which side of a plane a path to a finite t_max begins and ends: 0 for nearer than `relation` can tell.
+/// The side of a plane on which a path to a finite t_max begins and ends: 0 if it is nearer than `relation` can tell.
 struct SidesOfPath {
   int start;
   int end;

@@ -15,21 +15,21 @@
 
 namespace graze::detail {
 
-/// Where a path is between two sides of a box (Kay and Kajiya, "Ray tracing complex scenes", 1986). The default is an
-/// axis along which the box is infinite, the third one of a box in the plane.
+/// The range of t in which a path is between two sides of a box (Kay and Kajiya, "Ray tracing complex scenes", 1986).
+/// The default is an axis along which the box is infinite: the third one of a 2D box.
 struct Slab {
   double near = -std::numeric_limits<double>::infinity();
   double far = std::numeric_limits<double>::infinity();
-  double slack = 0;  ///< What it takes to move by the margin across a side.
+  double slack = 0;  ///< The change of t that moves the path by the margin across a side.
 
   double earliest() const { return near - slack; }
   double latest() const { return far + slack; }
   Slab without_slack() const { return {near, far, 0}; }
 };
 
-/// No coordinate of a direction is taken as smaller. An axis across which the path runs has it between the sides always
-/// or never: the inverse stands for a number so large that the slab is as good as infinite, and is finite, so that no
-/// zero is multiplied by infinity.
+/// Coordinates of a direction are treated as at least this large. If the path does not move along an axis, it is
+/// between the sides always or never: the inverse is so large that the slab is practically infinite, but finite, so
+/// that zero is never multiplied by infinity.
 inline constexpr double least_slope = 0x1p-500;
 
 [[gnu::always_inline]] inline Slab slab_between(double min, double max, double slope, double margin) {
@@ -39,22 +39,21 @@ inline constexpr double least_slope = 0x1p-500;
   return {std::min(to_min, to_max), std::max(to_min, to_max), margin * std::fabs(inverse)};
 }
 
-/// A box and a path from zero, in space.
+/// A 3D box and a path from zero.
 struct PathAtBox {
   Vec<3, double> min;
   Vec<3, double> max;
   Vec<3, double> direction;
-  double far;  ///< As Path has it.
+  double far;  ///< As in Path.
 };
 
-/// The slabs of a box. They are named, and nothing is in arrays or loops, so that compilers keep all of it in
-/// registers.
+/// The slabs of a box. They are named, without arrays or loops, so that compilers keep all of it in registers.
 struct Slabs {
   Slab x;
   Slab y;
   Slab z;
 
-  /// Whether the path from 0 to t_max is outside the box even if its sides are moved out by the slack. So it is for
+  /// Whether the path from 0 to t_max is outside of the box even if its sides are moved outwards by the slack. True for
   /// NaN.
   [[gnu::always_inline]] inline bool are_missed(double t_max) const {
     const double enter = std::max(std::max(x.earliest(), y.earliest()), std::max(z.earliest(), 0.0));
@@ -62,8 +61,8 @@ struct Slabs {
     return !(enter <= leave) || std::isnan(x.slack);
   }
 
-  /// Whether the path is between all sides at once, with the slack to spare where two axes are compared: of one axis
-  /// the near side comes first even if the box is flat.
+  /// Whether the path is between all sides at once, by more than the slack where two axes are compared: of one axis the
+  /// near side comes first even if the box is flat.
   [[gnu::always_inline]] inline bool are_entered(double t_max) const {
     const auto enters = [t_max](const Slab& one, const Slab& two, const Slab& three) {
       const double leave = std::min(std::min(two.far - two.slack, three.far - three.slack), t_max);
@@ -81,13 +80,13 @@ template <Dim N>
           N == 2 ? Slab() : slab_between(path.min.z, path.max.z, path.direction.z, margin)};
 }
 
-/// Where a path meets a box as the box's own axes see it.
+/// Where a path meets a box, in the box's own axes.
 struct TouchOfBox {
   RayVerdict verdict = RayVerdict::misses;
   double t = 0;
   Vec<3, double> point = Vec<3, double>(0.0);
   Vec<3, double> side = Vec<3, double>(0.0);  ///< -1 or 1 on the axis whose min or max side is met; else zero.
-  bool is_known = true;                       ///< False where the path is beside that side only before or after.
+  bool is_known = true;                       ///< False if the path is beside that side only before or after.
 };
 
 /// One coordinate of a point on a box: that of the side that is met, or any between the two.
@@ -97,7 +96,7 @@ struct TouchOfBox {
   return std::min(std::max(any, low), high);
 }
 
-/// Where the path enters a box that it hits, if its sides are moved out by the slack of `slabs`.
+/// Where the path enters a box that it hits, if its sides are moved outwards by the slack of `slabs`.
 [[gnu::always_inline]] inline TouchOfBox enter_box(RayVerdict verdict, const PathAtBox& path, const Slabs& slabs,
                                                    double t_max) {
   const auto& [min, max, direction, far] = path;
@@ -109,7 +108,7 @@ struct TouchOfBox {
   const double slope = is_x ? direction.x : is_y ? direction.y : direction.z;
   const double low = is_x ? min.x : is_y ? min.y : min.z;
   const double high = is_x ? max.x : is_y ? max.y : max.z;
-  // Divided once more, and so rounded once less, where the near side is not that of a path along it.
+  // Divided again, which rounds once less, unless the near side belongs to an axis along which the path does not move.
   const double t = std::fabs(slope) > least_slope ? (slope > 0 ? low : high) / slope : near;
   const double leave = std::min(std::min(slabs.x.latest(), slabs.y.latest()), std::min(slabs.z.latest(), t_max));
   touch.t = std::min(t, std::max(0.0, leave));
@@ -122,13 +121,13 @@ struct TouchOfBox {
   return touch;
 }
 
-/// What is moved by the slack across a side is moved by tolerance::ray_side of the box's size, so all verdicts hold for
-/// the true box. If it is touched after all, it is by no more than rounding.
+/// What the slack moves across a side is moved by tolerance::ray_side of the box's size, so all verdicts are correct
+/// for the true box. If it is touched after all, then by no more than rounding.
 template <Dim N>
 [[gnu::always_inline]] inline TouchOfBox touch_of_box(const PathAtBox& path, double t_max) {
   const Slabs slabs = slabs_of<N>(path, tolerance::ray_side);
   if (slabs.are_missed(t_max)) return {};
-  // What is entered by a margin is entered where the last side is crossed, however nearly the path runs along it.
+  // A box that is entered by a margin is entered where the last side is crossed, however nearly the path runs along it.
   if (slabs.are_entered(t_max)) {
     return enter_box(RayVerdict::hits, path,
                      {slabs.x.without_slack(), slabs.y.without_slack(), slabs.z.without_slack()}, t_max);
@@ -136,8 +135,8 @@ template <Dim N>
   return enter_box(RayVerdict::unclear, path, slabs_of<N>(path, tolerance::rounding), t_max);
 }
 
-/// How far the point where a path meets a box may be off: by what rounds off and, where it may only have come near a
-/// side, by the slack of that.
+/// The error of the point where a path meets a box: by rounding and, if it may only have come near a side, by the slack
+/// of that.
 [[gnu::always_inline]] inline double error_at_box(const TouchOfBox& found, const PathAtBox& path) {
   const double size = sum_abs(path.min) + sum_abs(path.max);
   return tolerance::rounding * (found.verdict == RayVerdict::unclear ? 2 * size + path.far : size);
@@ -149,8 +148,8 @@ template <Dim N>
   return {lifted(box.min), lifted(box.max), lifted(direction), far};
 }
 
-/// Whether ray_verdict_of says that the box is missed. Of most paths this is all that is asked, and a verdict alone
-/// does not go through memory.
+/// Whether ray_verdict_of returns a miss for the box. For most paths this is enough, and a verdict alone needs no
+/// memory.
 template <Dim N>
 [[gnu::always_inline]] inline bool is_missed(const Aabb<N, double>& box, const Path<N>& path) {
   return slabs_of<N>(path_at(box, path.direction, path.far), tolerance::ray_side).are_missed(path.t_max);
@@ -165,8 +164,8 @@ template <Dim N>
           found.is_known};
 }
 
-/// A box's own coordinates, where the point is on a side or was rounded out of the box. A normal along no axis is
-/// GJK's, and says nothing of sides, however little it is turned from an axis.
+/// The box's own coordinates of a point on a side, or one that was rounded out of the box. A normal along no axis is
+/// GJK's, and does not identify a side, however close to an axis it is.
 template <Dim N, class T>
 [[gnu::always_inline]] inline void put_on_surface(Touch<N>& touch, const Aabb<N, T>& box) {
   const Vec<N, double> min = wide<N, T>(box.min);
@@ -179,7 +178,7 @@ template <Dim N, class T>
   if constexpr (N == 3) touch.point.z = coordinate_on(side.z, touch.point.z, min.z, max.z);
 }
 
-/// The rows of the inverse of a matrix, all as much too long as `determinant` says.
+/// The rows of the inverse of a matrix, all multiplied by `determinant`.
 template <Dim N>
 struct Inverse;
 
@@ -216,9 +215,9 @@ struct Inverse<3> {
   return {first, cross(m[2], m[0]), cross(m[0], m[1]), dot(first, m[0])};
 }
 
-/// The box as its own axes see it. They are orthonormal only up to rounding and the set is taken as stored, so the
-/// places on the axes are found with their inverse, where the transpose would be off by as much as they are. It is not
-/// divided by the determinant, which is positive or negative and nearly 1: box and direction grow alike.
+/// The box in its own axes. They are orthonormal only up to rounding and the set is defined as stored, so coordinates
+/// are found with their inverse; the transpose would be off by as much as they are. The inverse is not divided by the
+/// determinant, which is positive or negative and nearly 1: box and direction are scaled alike.
 template <Dim N>
 [[gnu::always_inline]] inline RayFinding<N> ray_verdict_of(const Obb<N, double>& box, const Path<N>& path) {
   const Inverse<N> inverse = inverse_of(box.axes);
@@ -231,7 +230,7 @@ template <Dim N>
   const PathAtBox path_seen = path_at(seen, slope, path.far);
   const TouchOfBox found = touch_of_box<N>(path_seen, path.t_max);
   const Vec<N, double> side(found.side);
-  // Of the axes across the side that is met the place is exact.
+  // The coordinates along the axis of the side that is met are exact.
   const Vec<N, double> place =
       (Vec<N, double>(found.point) - center) / scale * (1.0 - abs(side)) + box.half_extents * side;
   const bool is_inside = max_abs(side) == 0;

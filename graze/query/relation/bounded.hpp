@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The closed forms of relation.hpp for segments, spheres, boxes and capsules. Include relation.hpp. Each is right for
-// NaN too: apart.
+// The closed forms of relation.hpp for segments, spheres, boxes and capsules. Include relation.hpp. All of them return
+// apart for NaN.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@
 
 namespace graze::detail {
 
-// ---- Distance of cores against a reach. The distance can be off by epsilons of the vectors that it is calculated
-// from: those between the two cores and those along them.
+// ---- Distance of cores compared with a reach. The distance can be off by a few epsilon of the vectors that it is
+// calculated from: those between the two cores and those along them.
 
 template <Dim N, class T>
 Vec<N, double> reference(const Vec<N, T>& point) {
@@ -65,7 +65,7 @@ double extent(const Obb<N, T>& box) {
   return 2 * sum_abs(wide<N, T>(box.half_extents));
 }
 
-// ---- The quick answer for cores that have a filter.
+// ---- The fast path for cores that have a filter.
 
 template <class A, class B>
 std::optional<Relation> filter_of_cores(const A&, const B&, double) {
@@ -92,8 +92,8 @@ std::optional<Relation> filter_of_cores(const Segment<N, T>& segment, const Obb<
   return filter_of_widened(box, segment, reach);
 }
 
-/// The distance against the reach. Where rounding hides whether the widened shapes touch, the cores may still cross
-/// deeply: `relation_of_cores(core_a, core_b)` is asked.
+/// Compares the distance with the reach. If rounding hides whether the widened shapes touch, the cores may still
+/// overlap deeply: `relation_of_cores(core_a, core_b)` decides.
 template <class A, class B, class RelationOfCores>
 Relation careful_relation_of_widened(const A& core_a, const B& core_b, double reach, double slack,
                                      const RelationOfCores& relation_of_cores) {
@@ -107,7 +107,7 @@ Relation careful_relation_of_widened(const A& core_a, const B& core_b, double re
 template <class A, class B, class RelationOfCores>
 Relation relation_of_widened(const A& core_a, const B& core_b, double reach, const RelationOfCores& relation_of_cores);
 
-/// The same of cores that may be out of range.
+/// The same for cores that may be out of range.
 template <class A, class B, class RelationOfCores>
 [[gnu::noinline, gnu::cold]] Relation widened_in_range(const A& core_a, const B& core_b, double reach, double slack,
                                                        const RelationOfCores& relation_of_cores) {
@@ -128,7 +128,7 @@ Relation relation_of_widened(const A& core_a, const B& core_b, double reach, con
   return careful_relation_of_widened(core_a, core_b, reach, slack, relation_of_cores);
 }
 
-/// Points against points and segments have no depth.
+/// Points have no depth against points and segments.
 struct NeverOverlapping {
   template <class A, class B>
   constexpr Relation operator()(const A&, const B&) const {
@@ -143,7 +143,7 @@ struct RelationByForm {
   }
 };
 
-/// Exact. All is compared before anything is decided: a branch that guesses wrong costs more than six comparisons.
+/// Exact. Everything is compared before anything is decided: a mispredicted branch costs more than six comparisons.
 template <Dim N, class T>
 [[gnu::always_inline]] inline Relation relation_of_boxes(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   unsigned meets = 1;
@@ -218,7 +218,7 @@ template <Dim N, class T>
 }
 
 /// For a sphere that nearly touches, or is too small or large to square in T. A sum of squares of differences, each
-/// rounded relative to itself: the error is no larger than the radius where it matters.
+/// with relative rounding: the error is no larger than the radius where it matters.
 template <Dim N, class T>
 [[gnu::noinline]] Relation careful_closed_form(const Sphere<N, T>& sphere, const Aabb<N, T>& box) {
   if (!(sphere.radius >= T(0)) || !boxes_overlap(box, box)) return Relation::apart;  // NaN

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Filters: cheap tests that settle all pairs but those which nearly touch, and leave those to the careful closed forms
+// Filters: cheap tests that decide all pairs but those that nearly touch, and leave those to the precise closed forms
 // of bounded.hpp. No answer means "too close to tell". NaN anywhere gives no answer, or apart.
 #pragma once
 
@@ -27,9 +27,9 @@ namespace graze::detail {
 template <Dim N, class Real = double>
 using Numbers = std::array<Real, static_cast<std::size_t>(N)>;
 
-/// A box or a segment as the axes of a first box see it: coordinate i of a vector is its dot product with the axis i.
-/// The second shape is all between + sum of u[j] * half[j] * directions[j] with |u[j]| <= 1. Plain arrays, because
-/// compilers do more with loops over them than over indexed vectors.
+/// A box or a segment in the axes of a first box: coordinate i of a vector is its dot product with axis i. The second
+/// shape is all between + sum of u[j] * half[j] * directions[j] with |u[j]| <= 1. Plain arrays, because compilers
+/// optimise loops over them better than loops over indexed vectors.
 template <Dim N, Dim Edges, class Real = double>
 struct InFrameOfBox {
   Numbers<N, Real> box_half{};  ///< The first box's half extents.
@@ -44,7 +44,7 @@ struct InFrameOfBox {
 template <Dim N, Dim Edges, class Real>
 using PerDirection = std::array<Numbers<N, Real>, static_cast<std::size_t>(Edges)>;
 
-/// The gap of the two on the cross product of the box's axis i and direction j, as long as that product is.
+/// The gap of the two on the cross product of the box's axis i and direction j, multiplied by that product's length.
 template <Dim Edges, class Real>
 [[gnu::always_inline]] inline Real gap_across(const InFrameOfBox<3, Edges, Real>& seen,
                                               const PerDirection<3, Edges, Real>& shadow, std::size_t i,
@@ -60,7 +60,7 @@ template <Dim Edges, class Real>
   return std::fabs(seen.between[i2] * seen.directions[j][i1] - seen.between[i1] * seen.directions[j][i2]) - reach;
 }
 
-/// Whether the axes that leave the verdict open are all cross products of nearly parallel edges.
+/// Whether the only axes that leave the verdict undecided are cross products of nearly parallel edges.
 template <Dim Edges, class Real>
 [[gnu::noinline]] bool only_parallel_edges_are_open(const InFrameOfBox<3, Edges, Real>& seen,
                                                     const PerDirection<3, Edges, Real>& shadow, Real cross_band,
@@ -74,7 +74,7 @@ template <Dim Edges, class Real>
   return true;
 }
 
-/// The widest gap on a few axes, and the sum of all lengths that came into them.
+/// The widest gap on a few axes, and the sum of all lengths involved.
 template <class Real>
 struct WidestGap {
   Real gap = -std::numeric_limits<Real>::infinity();
@@ -139,15 +139,15 @@ Real widest_across(const InFrameOfBox<2, 1, Real>& seen, const PerDirection<2, 1
   return std::fabs(seen.between[0] * seen.directions[0][1] - seen.between[1] * seen.directions[0][0]) - reach;
 }
 
-/// The separating-axis test in the frame of the first box (Gottschalk, Lin, Manocha, "OBBTree", 1996). It takes the
-/// axes of boxes for orthonormal, which they are up to `skew`, the largest |dot(axis i, axis j) - (i == j)|: an axis is
-/// within 3 skew of the face's normal that it stands for. So, in units of the size, the sum of all lengths, the gap on
-/// a face's axis is off by 7 skew and that on a cross product of edges by 10, which covers its two factors and the
-/// products that stand for dot products with it.
+/// The separating-axis test in the frame of the first box (Gottschalk, Lin, Manocha, "OBBTree", 1996). It assumes that
+/// the axes of boxes are orthonormal, which they are up to `skew`, the largest |dot(axis i, axis j) - (i == j)|: an
+/// axis is within 3 skew of the face's normal that it represents. So, in units of the size, the sum of all lengths, the
+/// gap on a face's axis is off by 7 skew and that on a cross product of edges by 10, which covers its two factors and
+/// the products that replace dot products with it.
 ///
-/// The cross product of edges that are parallel up to s = 32 skew proves nothing; nor is it needed where all other axes
-/// find a depth of 4 s: seen along the edges, the two shapes are polygons that reach as deep into each other, less s
-/// for the edge that is not quite in the line of sight and 2 s for the turn of the others.
+/// The cross product of edges that are parallel up to s = 32 skew proves nothing; nor is it needed if all other axes
+/// find a depth of 4 s: projected along the edges, the two shapes are polygons that overlap as deeply, less s for the
+/// edge that is not quite parallel to the projection and 2 s for the rotation of the others.
 template <Dim N, Dim Edges, class Real>
 [[gnu::always_inline]] inline std::optional<Relation> filter_of_boxes(const InFrameOfBox<N, Edges, Real>& seen,
                                                                       Real orthonormality_error) {
@@ -158,7 +158,7 @@ template <Dim N, Dim Edges, class Real>
     for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) shadow[j][i] = std::fabs(seen.directions[j][i]);
   }
   auto [widest, size] = widest_on_own_axes(seen, shadow);
-  // Products of two lengths must not come near the least numbers, whose rounding is coarse.
+  // Products of two lengths must not be close to the smallest numbers, whose rounding is coarse.
   constexpr Real least_product = Real(0x1p20) * std::numeric_limits<Real>::min();
   if (!(size * std::min(size, seen.length) > least_product)) return std::nullopt;
   if constexpr (Edges == 1) {
@@ -292,15 +292,15 @@ double orthonormality_error_of(const Obb<N, T>& box) {
   return orthonormality_error;
 }
 
-/// In double, with the skew that these boxes have, and never with less than what rounds off.
+/// In double, with the skew of these boxes, and never with less than rounding.
 template <class Box, class Other>
 [[gnu::noinline]] std::optional<Relation> second_filter_of_box(const Box& box, const Other& other) {
   return filter_of_boxes(in_frame_of_box<double>(box, other),
                          std::max({orthonormality_error_of(box), orthonormality_error_of(other), tolerance::rounding}));
 }
 
-/// First in the type of the shapes, which rounds off far less than the skew that any valid box may have. What overflows
-/// there has no answer.
+/// First in the type of the shapes, whose rounding is far below the skew that any valid box may have. If that
+/// overflows, there is no answer.
 template <class Box, class Other>
 std::optional<Relation> filter_of_box(const Box& box, const Other& other) {
   using Real = scalar_of<Box>;
@@ -317,8 +317,8 @@ std::optional<Relation> filter_of_box(const Box& box, const Other& other) {
 
 // ---- A sphere, or a segment with a radius, against a box
 
-/// The way from the center, clamped to the box along each axis. Axes that are orthonormal up to `skew` put the nearest
-/// point wrong by 6 skew of the size at most.
+/// The vector from the center, clamped to the box along each axis. If axes are orthonormal up to `skew`, the nearest
+/// point is off by 6 skew of the size at most.
 template <Dim N, class T>
 std::optional<Relation> filter_of_sphere(const Vec<N, T>& center, const Obb<N, T>& box, double reach) {
   const auto axes = columns<double, N, T>(box.axes);

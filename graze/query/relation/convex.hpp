@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relation.hpp for any two convex shapes without a closed form: GJK, then EPA where they meet. Include relation.hpp.
+// relation.hpp for any two convex shapes without a closed form: GJK, then EPA if they meet. Include relation.hpp.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@
 
 namespace graze::detail {
 
-/// Whether two cores that meet, for all that the distance says, do so with depth, be it only that of their radii; or
-/// are farther apart than `reach` after all.
+/// Whether two cores that meet, as far as the distance can tell, have a depth, if only that of their radii; or are
+/// farther apart than `reach` after all.
 template <Convex A, Convex B>
 Relation relation_of_meeting(const A& a, const B& b, const GjkResult<dimension_of<A>>& distance, double reach) {
   const EpaResult<dimension_of<A>> depth = usual_epa(a, b, distance.simplex, EpaOptions{0});
@@ -34,7 +34,7 @@ Relation relation_of_meeting(const A& a, const B& b, const GjkResult<dimension_o
 
 // ---- An order of shapes, so that swapped arguments take the same path.
 
-/// By type: the place in AnyShape, users' types last.
+/// By type: the index in AnyShape, users' types last.
 template <class S, class... Shapes>
 constexpr std::size_t place_among(const std::variant<Shapes...>*) {
   std::size_t place = 0;
@@ -71,7 +71,7 @@ bool comes_first(const Posed<Polytope<N, T>>& a, const Posed<Polytope<N, T>>& b)
   return compare(a.shape, b.shape) <= 0;
 }
 
-/// Users' types by where they reach along the axes; if all of that is equal, so are they for all we can see.
+/// Users' types by their support points along the axes; if all of those are equal, the two are considered equal.
 template <Convex A, Convex B>
 bool comes_first(const A& a, const B& b) {
   constexpr Dim N = dimension_of<A>;
@@ -88,7 +88,7 @@ bool comes_first(const A& a, const B& b) {
   return true;
 }
 
-/// Whether a comes before b, or is the same.
+/// Whether a precedes b, or is the same.
 template <class A, class B>
 bool is_in_order(const A& a, const B& b) {
   if constexpr (type_place<A> != type_place<B>) {
@@ -103,7 +103,7 @@ bool is_in_order(const A& a, const B& b) {
 template <Convex A, Convex B>
 Relation relation_of_convex_ordered(const A& a, const B& b);
 
-/// The cores' distance against the sum of their radii.
+/// Compares the cores' distance with the sum of their radii.
 template <Convex A, Convex B>
 Relation relation_of_convex(const A& a, const B& b) {
   if constexpr (!is_known_by_support<A> && !is_known_by_support<B>) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The first filter of two oriented boxes in space and in float, four numbers at a time. The same gaps as
-// filter_of_boxes in box_filter.hpp calculates one after the other, and the same bands around zero; a branch on each of
-// fifteen axes, which guesses wrong sooner or later, takes longer than all of them together.
+// The first filter of two oriented 3D boxes in float, four numbers at a time. The same gaps as filter_of_boxes in
+// box_filter.hpp calculates one after the other, and the same bands around zero; a branch on each of fifteen axes,
+// which is mispredicted sooner or later, takes longer than all of them together.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@
 
 namespace graze::detail {
 
-/// An oriented box as it lies in memory, fifteen floats in a row, in five reads: none goes beyond its end. What the
-/// fourth lanes hold is of no meaning.
+/// An oriented box as it is in memory, fifteen consecutive floats, in five loads: none exceeds its end. The contents of
+/// the fourth lanes are meaningless.
 struct LaneBox {
   Lanes center, half;
   LaneMatrix axes;
@@ -42,7 +42,7 @@ struct LaneBox {
   }
 };
 
-/// InFrameOfBox of box_filter.hpp: the second box as the axes of the first see it, coordinate i of a vector being its
+/// InFrameOfBox of box_filter.hpp: the second box in the axes of the first, where coordinate i of a vector is its dot
 /// product with axis i, and the sizes of all coordinates of its directions.
 struct LanesFromBox {
   Lanes box_half, half, between;
@@ -70,7 +70,7 @@ struct LanesFromBox {
   }
 };
 
-/// As in box_filter.hpp: whether the gaps across that leave the verdict open are all of nearly parallel edges.
+/// As in box_filter.hpp: whether the only undecided gaps on cross products are those of nearly parallel edges.
 [[gnu::always_inline]] inline bool only_parallel_edges_are_open(const LanesFromBox& seen,
                                                                 const std::array<Lanes, 3>& across, float band) {
   constexpr auto parallel = static_cast<float>(2 * tolerance::box_filter * tolerance::orthonormal);
@@ -82,8 +82,8 @@ struct LanesFromBox {
   return (is_settled[0] & is_settled[1] & is_settled[2]) != 0;
 }
 
-/// No answer where box_filter.hpp has to look again in double: too close to tell, NaN, numbers too large or too small.
-/// Why the bands are as wide as they are, and when parallel edges do not matter, is said at filter_of_boxes.
+/// No answer if box_filter.hpp has to repeat the test in double: too close to tell, NaN, numbers too large or too
+/// small. The widths of the bands, and when parallel edges do not matter, are derived at filter_of_boxes.
 [[gnu::always_inline]] inline std::optional<Relation> filter_of_obbs(const Obb<3, float>& box_a,
                                                                      const Obb<3, float>& box_b) {
   const LanesFromBox seen{LaneBox(box_a), LaneBox(box_b)};

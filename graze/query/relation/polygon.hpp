@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The closed forms of relation.hpp for a point and a polygon of the plane. Include relation.hpp.
+// The closed forms of relation.hpp for a point and a 2D polygon. Include relation.hpp.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 
 namespace graze::detail {
 
-/// Whether a point next to a polygon touches it, within the rounding that `contains` forgives too. `rescaled()` is
-/// asked first if the pair is not of usual size.
+/// Whether a point next to a polygon touches it, within the rounding that `contains` allows, too. `rescaled()` is
+/// called first if the pair is not of usual size.
 template <class T, class Rescaled>
 Relation relation_from_outside(Corners<T> corners, const Vec<2, T>& point, const Rescaled& rescaled) {
   const Vec<2, double> p = wide<2, T>(point);
@@ -31,7 +31,7 @@ Relation relation_from_outside(Corners<T> corners, const Vec<2, T>& point, const
   return distance <= tolerance::rounding * own_size ? Relation::touching : Relation::apart;
 }
 
-/// Inside, on an edge or outside, exactly; a little outside is still touching. Corners as Polytope has them.
+/// Inside, on an edge or outside, exactly; slightly outside still counts as touching. Corners as in Polytope.
 template <class T, class Rescaled>
 Relation relation_to_polygon(Corners<T> corners, const Vec<2, T>& point, const Rescaled& rescaled) {
   const std::size_t count = corners.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A filter for two segments, widened or not: settles all pairs that neither nearly touch nor are nearly parallel, and
-// leaves those to the careful closed forms of bounded.hpp. No answer means "too close to tell".
+// A filter for two segments, widened or not: decides all pairs that neither nearly touch nor are nearly parallel, and
+// leaves those to the precise closed forms of bounded.hpp. No answer means "too close to tell".
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Filters for a sphere against a point, a box along the coordinate axes or a ray: settle, without a branch, all pairs
-// but those which nearly touch, and leave those to the careful closed forms of bounded.hpp. No answer means "too close
-// to tell", too large or small to square, or NaN.
+// Filters for a sphere against a point, an axis-aligned box or a ray: decide, branch-free, all pairs but those that
+// nearly touch, and leave those to the precise closed forms of bounded.hpp. No answer means "too close to tell", too
+// large or small to square, or NaN.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace graze::detail {
 
 /// The verdict on a squared distance and a squared reach, each off by 3 epsilon of itself at most. They are compared
-/// with the room that tolerance::squares has, and with that of the least numbers, which are not rounded so finely.
+/// with the tolerance tolerance::squares, and with that of the smallest numbers, whose rounding is coarser.
 template <Scalar T>
 [[gnu::always_inline]] inline std::optional<Relation> filter_of_squares(T squared_distance, T squared_reach) {
   const T slack = tolerance::squares<T> * (squared_distance + squared_reach) + std::numeric_limits<T>::min();
@@ -47,11 +47,11 @@ template <Dim N, Scalar T>
   return filter_of_squares(four_squares, T(4) * (reach * reach));
 }
 
-/// x, or 0 if it is below; NaN for NaN. Arithmetic does what a branch would guess wrong half of the time.
+/// x, or 0 if x is negative; NaN for NaN. Arithmetic, because a branch would be mispredicted half of the time.
 inline double above_zero(double x) { return 0.5 * (x + std::fabs(x)); }
 
 /// The verdict on a ray from zero and a sphere. The squared distance of the center from the ray, |c|^2 - (c.d)^2 / d.d
-/// or |c|^2, is known to 10 epsilon of |c|^2; where the careful test has the ray end, up to four times as far as the
+/// or |c|^2, is known to 10 epsilon of |c|^2; where the precise test lets the ray end, up to four times as far as the
 /// sphere reaches, its band is 300 epsilon of that.
 template <Dim N>
 std::optional<Relation> filter_of_ray_and_sphere(const Vec<N, double>& direction, const Vec<N, double>& center,

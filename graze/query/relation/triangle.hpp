@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The closed forms of relation.hpp for triangles. Include relation.hpp.
 //
-// Every pair is decided in two rounds. The quick one calculates plainly; its verdict is certain, or it has none. The
-// careful one, for what is left, calculates accurately, on corners that it has put in an order of its own: so a
-// verdict never depends on the order of arguments or corners.
+// Every pair is decided in two stages. The fast one calculates plainly; its verdict is certain, or it has none. The
+// precise one, for the remaining pairs, calculates accurately, on corners that it has sorted: so a verdict never
+// depends on the order of arguments or corners.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@
 
 namespace graze::detail {
 
-// ---- The careful round: the accurate axes, and where these call the pair neither apart nor deep, the distance.
+// ---- The precise stage: the accurate axes and, if these find the pair neither apart nor deep, the distance.
 
 template <Dim N>
 bool is_before(const Vec<N, double>& p, const Vec<N, double>& q) {
@@ -82,7 +82,7 @@ std::array<Segment<N, double>, 3> sides(const Triangle<N, double>& triangle) {
   return {{{triangle.a, triangle.b}, {triangle.b, triangle.c}, {triangle.c, triangle.a}}};
 }
 
-/// Of disjoint solids, a corner of one and the other or two edges are nearest.
+/// The nearest points of disjoint solids are a corner of one and a point of the other, or on two edges.
 template <Dim N>
 bool is_within(double distance, const Triangle<N, double>& a, const Triangle<N, double>& b) {
   const double squared = distance * distance;
@@ -150,11 +150,11 @@ Relation careful_verdict(const S& other, const Triangle<N, double>& triangle, do
   const double slack = 2 * tolerance::rounding * extent;
   const Relation along_axes = AccurateAxes<N, S>(other, triangle, slack).verdict();
   if (along_axes != Relation::touching) return along_axes;
-  // What is a slack deep along an axis of length 1 by the sum of its coordinates is sqrt(3) deep at most.
+  // A slack of depth along a unit axis, measured by the sum of coordinates, is a depth of at most sqrt(3) slack.
   return is_within(2 * slack, other, triangle) ? Relation::touching : Relation::apart;
 }
 
-// ---- Both rounds
+// ---- Both stages
 
 /// Products of four sizes stay in the range of double.
 constexpr bool is_of_moderate_size(double extent) { return extent > 0x1p-200 && extent < 0x1p200; }
@@ -169,8 +169,8 @@ std::optional<Relation> quick_verdict(const S& other, const Triangle<N, double>&
   }
 }
 
-/// For a pair seen from near both; segments and boxes lie around zero. `rescaled()` is asked first if the pair is not
-/// of usual size.
+/// For a pair relative to a point near both; segments and boxes are centered at zero. `rescaled()` is called first if
+/// the pair is not of usual size.
 template <Dim N, class S, class Rescaled>
 Relation relation_in_frame(const S& other, const Triangle<N, double>& triangle, const Rescaled& rescaled) {
   const double extent = std::max(extent_around_zero(other), extent_around_zero(triangle));
@@ -193,10 +193,10 @@ Triangle<N, double> local_triangle(const Vec<N, double>& reference, const Vec<N,
           (wide<N, T>(triangle.c) - reference) - to_center};
 }
 
-// ---- A triangle and a point or segment around zero that is widened
+// ---- A triangle and a widened point or segment centered at zero
 
-/// The point of the triangle nearest to zero, or with rounding another of its points. Ericson, Real-Time Collision
-/// Detection, 5.1.5. NaN for some triangles that are flat: a quotient 0 / 0.
+/// The point of the triangle nearest to zero or, due to rounding, another of its points. Ericson, Real-Time Collision
+/// Detection, 5.1.5. NaN for some degenerate triangles: a quotient 0 / 0.
 template <Dim N>
 Vec<N, double> nearest_to_zero(const Triangle<N, double>& triangle) {
   const Vec<N, double>& a = triangle.a;
@@ -258,8 +258,8 @@ double gap_between_boxes(const Core& core, const Triangle<N, double>& triangle) 
 }
 
 /// Certain, or none. A point of each core near the other bounds the distance from above. The direction between them
-/// bounds it from below: however it was found, the cores are as far apart as their shadows on it. A few steps from one
-/// core to the nearest point of the other leave few pairs undecided.
+/// bounds it from below: however it was found, the cores are at least as far apart as their projections onto it. A few
+/// steps from one core to the nearest point of the other leave few pairs undecided.
 template <Dim N, class Core>
 std::optional<Relation> quick_verdict_on_distance(const Core& core, const Triangle<N, double>& triangle, double near,
                                                   double far) {
@@ -280,8 +280,8 @@ std::optional<Relation> quick_verdict_on_distance(const Core& core, const Triang
   return std::nullopt;
 }
 
-/// The relation of a triangle and a core around zero that is widened by `reach`. Where rounding hides whether they
-/// touch, `relation_of_cores` is asked, as in bounded.hpp. `rescaled()` as above.
+/// The relation of a triangle and a core centered at zero that is widened by `reach`. If rounding hides whether they
+/// touch, `relation_of_cores` decides, as in bounded.hpp. `rescaled()` as above.
 template <Dim N, class Core, class RelationOfCores, class Rescaled>
 Relation relation_to_widened(const Core& core, const Triangle<N, double>& triangle, double reach,
                              const RelationOfCores& relation_of_cores, const Rescaled& rescaled) {
@@ -328,7 +328,7 @@ Segment<3, double> wide_corners(const Segment<3, T>& segment) {
   return {wide<3, T>(segment.start), wide<3, T>(segment.end)};
 }
 
-/// The quick answer in space, from differences of corners. Boxes that miss each other are exact.
+/// The fast verdict in 3D, from differences of corners. Disjoint bounding boxes are decided exactly.
 template <class T, class S>
 std::optional<Relation> filter_of_corners(const Triangle<3, T>& triangle, const S& other) {
   const Aabb<3, T> box = box_around(triangle);
@@ -401,7 +401,7 @@ Relation closed_form(const Obb<N, T>& box, const Triangle<N, T>& triangle) {
                               [&] { return verdict_in_range(box, triangle); });
 }
 
-/// Seen from the least of their coordinates, which is the same for swapped triangles.
+/// Relative to the least of their coordinates, which is the same for swapped triangles.
 template <Dim N, class T>
 [[gnu::noinline]] Relation careful_closed_form(const Triangle<N, T>& a, const Triangle<N, T>& b) {
   if (hold_nan(a, b)) return Relation::apart;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The separating axes of a triangle and a segment, box or triangle, for triangle.hpp.
 //
-// The set of differences of two such shapes is a polytope. In 2D its edges are those of the two; in 3D its faces lie
-// along the faces of either or along an edge of each. The shapes are apart if and only if they are along the normal of
-// one of these, and how deep they are is the least depth along one (Akenine-Moeller, "Fast 3D Triangle-Box Overlap
-// Testing", 2001, has the box). All shapes here are seen from near the pair; segments and boxes lie around zero.
+// The Minkowski difference of two such shapes is a polytope. In 2D its edges are those of the two; in 3D its faces are
+// parallel to faces of either or to an edge of each. The shapes are apart if and only if the normal of one of these
+// separates them, and their depth is the least depth along one (Akenine-Moeller, "Fast 3D Triangle-Box Overlap
+// Testing", 2001, has the box). All shapes here are relative to a point near the pair; segments and boxes are centered
+// at zero.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +26,7 @@
 
 namespace graze::detail {
 
-// ---- What the axes need to know of a shape
+// ---- Properties of a shape for the axes
 
 /// A bound on the absolute coordinates of its points.
 template <Dim N>
@@ -49,7 +50,7 @@ double extent_around_zero(const Triangle<N, double>& triangle) {
   return std::max({max_abs(triangle.a), max_abs(triangle.b), max_abs(triangle.c)});
 }
 
-/// A vector along every edge; a triangle's lead from corner to corner.
+/// A vector along every edge; those of a triangle lead from corner to corner.
 template <Dim N>
 std::array<Vec<N, double>, 1> edges_of(const Segment<N, double>& segment) {
   return {segment.end};
@@ -69,7 +70,7 @@ std::array<Vec<N, double>, 3> edges_of(const Triangle<N, double>& triangle) {
   return {triangle.b - triangle.a, triangle.c - triangle.b, triangle.a - triangle.c};
 }
 
-/// What a shape covers of an axis, in units of the axis.
+/// The projection of a shape onto an axis, in units of the axis.
 struct Shadow {
   double low;
   double high;
@@ -104,14 +105,14 @@ Shadow shadow_on(const Vec<N, double>& axis, const Triangle<N, double>& triangle
   return shadow_of(dot(axis, triangle.a), dot(axis, triangle.b), dot(axis, triangle.c));
 }
 
-/// Between two shadows; negative: how far they overlap.
+/// Between two projections; if negative, the length of their overlap.
 inline double gap_between(const Shadow& a, const Shadow& b) { return std::max(a.low - b.high, b.low - a.high); }
 
 // ---- The accurate test
 
 /// The verdict of axes that are known to a few epsilon, each with an error of `slack` times its length. Overlapping and
-/// apart are certain. Touching are shapes that no axis calls apart, and one, or the lack of any, calls thin: they may
-/// be apart still, beside the tip of a needle, or in the plane of two flat shapes.
+/// apart are certain. Touching is the verdict if no axis separates the shapes, and one, or the lack of any, finds them
+/// thin: they may still be apart, next to the tip of a needle, or in the plane of two flat shapes.
 template <Dim N, class S>
 class AccurateAxes {
  public:
@@ -124,7 +125,7 @@ class AccurateAxes {
   }
 
  private:
-  /// False when the axis proves the shapes apart.
+  /// False if the axis proves the shapes apart.
   bool project(const Vec<N, double>& axis) {
     const double slack = slack_ * sum_abs(axis);
     if (slack == 0) return true;  // parallel edges span no face
@@ -159,8 +160,8 @@ class AccurateAxes {
     }
   }
 
-  /// Flat shapes in one plane may be apart along it. This only spares the distance, which says so too, hence the room:
-  /// the answer must not depend on which triangle of two has the normal.
+  /// Flat shapes in one plane may be apart along it. This only saves the calculation of the distance, which would
+  /// decide the same, hence the tolerance: the answer must not depend on which of two triangles has the normal.
   template <class EdgesA, class EdgesB>
   bool is_apart_in_plane(const Vec<3, double>& normal, const EdgesA& edges_a, const EdgesB& edges_b) const {
     const auto is_apart_beside = [&](const Vec<3, double>& edge) {
@@ -171,8 +172,8 @@ class AccurateAxes {
            std::any_of(edges_b.begin(), edges_b.end(), is_apart_beside);
   }
 
-  /// Any two edges of a triangle or box span a face. Any two of a triangle span the same one, but what is thin may be
-  /// hidden from one of them by rounding.
+  /// Any two edges of a triangle or box span a face. Any two of a triangle span the same one, but rounding may hide
+  /// from one pair that it is thin.
   template <std::size_t Count>
   bool project_faces(const std::array<Vec<3, double>, Count>& edges) {
     for (std::size_t i = 0; i < Count; ++i) {
@@ -190,12 +191,12 @@ class AccurateAxes {
   bool is_deep_ = true;
 };
 
-// ---- The quick test, in 3D. The axis m = e x f of edges e from p, f from q is never made: what it says is a few dot
-// products. Seen from p's place on it, q lies at m . (q - p) = -(p x e) . f - (q x f) . e. If n is the normal of a
-// triangle that e is an edge of, the third corner lies at -n . f; if f is, at n . e. A box around zero, f its axis k,
-// reaches h_i |e . (f x axis i)| + h_j |e . (f x axis j)| to both sides of its center.
+// ---- The fast test, in 3D. The axis m = e x f of edges e from p, f from q is never calculated: its projections are a
+// few dot products. Relative to the projection of p, q is at m . (q - p) = -(p x e) . f - (q x f) . e. If n is the
+// normal of a triangle that e is an edge of, the third corner is at -n . f; if f is, at n . e. A box centered at zero,
+// f its axis k, extends h_i |e . (f x axis i)| + h_j |e . (f x axis j)| to both sides of its center.
 
-/// The axes of a box along the coordinates: nothing to calculate.
+/// The axes of an axis-aligned box: nothing to calculate.
 struct AlignedAxes {
   explicit AlignedAxes(const Aabb<3, double>&) {}
   double along(const Vec<3, double>& v, Dim k) const { return v[k]; }
@@ -238,7 +239,7 @@ class QuickBox {
     return gap_between(shadow, shadow_around_zero(half_extents_[k] * axes_.volume()));
   }
 
-  /// What `beside` needs of an edge e.
+  /// The value of an edge e that `beside` needs.
   Vec<3, double> facing(const Vec<3, double>& e) const {
     return abs(Vec<3, double>(axes_.across(e, 0), axes_.across(e, 1), axes_.across(e, 2)));
   }
@@ -254,7 +255,7 @@ class QuickBox {
   Vec<3, double> half_extents_;
 };
 
-/// A segment around zero, by half of its one edge.
+/// A segment centered at zero, as half of its edge.
 class QuickSegment {
  public:
   static constexpr std::size_t face_count = 0;
@@ -310,8 +311,8 @@ inline QuickBox<Obb<3, double>, TurnedAxes> quick_form(const Obb<3, double>& box
 }
 inline QuickTriangle quick_form(const Triangle<3, double>& triangle) { return QuickTriangle(triangle); }
 
-/// `slack` covers the errors along an axis of unit length, with room to spare. Products of plain cross products are
-/// off by as much times the sizes of the factors; an axis that this leaves undecided is projected on after all.
+/// `slack` covers the errors along a unit axis, with a margin. Products of plain cross products are off by as much
+/// times the sizes of the factors; axes that this leaves undecided are evaluated by projection.
 template <class S>
 class QuickAxes {
  public:
@@ -328,7 +329,7 @@ class QuickAxes {
  private:
   static constexpr bool is_triangle = std::is_same_v<S, Triangle<3, double>>;
 
-  /// False when the gap proves the shapes apart.
+  /// False if the gap proves the shapes apart.
   bool settle(double gap, double bound, const Vec<3, double>& first, const Vec<3, double>& second) {
     if (gap < -bound) {
       has_axis_ = true;
@@ -346,7 +347,7 @@ class QuickAxes {
     return !(gap > bound);
   }
 
-  /// A box' own faces cost least.
+  /// A box's own faces cost least.
   bool settle_faces() {
     if constexpr (Other::face_count > 0) {
       const auto other_edges = edges_of(shape_);
@@ -383,7 +384,7 @@ class QuickAxes {
     return true;
   }
 
-  /// Zero for what lies around zero.
+  /// Zero for shapes centered at zero.
   std::array<Vec<3, double>, 3> moments_of_other() const {
     if constexpr (is_triangle) return other_.moments(shape_);
     return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Filters for triangles in 3D: settle all pairs but those which nearly touch, or where a corner of one triangle lies
-// nearly in the plane of the other, and leave those to triangle.hpp. No answer means "too close to tell". NaN
-// anywhere gives no answer, or apart.
+// Filters for 3D triangles: decide all pairs but those that nearly touch, or where a corner of one triangle lies nearly
+// in the plane of the other, and leave those to triangle.hpp. No answer means "too close to tell". NaN anywhere gives
+// no answer, or apart.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace graze::detail {
 
-/// Where three corners lie: bit k of `above` is set if corner k is above the plane.
+/// The sides of a plane that three corners are on: bit k of `above` is set if corner k is above the plane.
 struct SidesOfPlane {
   unsigned above;
   bool are_clear;  ///< None is in the plane, up to rounding.
@@ -33,7 +33,7 @@ struct SidesOfPlane {
 
 using Corners3 = std::array<Vec<3, double>, 3>;
 
-/// The corners against the plane through `origin`; a height counts from `bound` on.
+/// The corners relative to the plane through `origin`; heights of at least `bound` are certain.
 inline SidesOfPlane sides_of_plane(const Corners3& corners, const Vec<3, double>& normal, const Vec<3, double>& origin,
                                    double bound) {
   const double a = dot(normal, corners[0] - origin);
@@ -51,17 +51,17 @@ struct SizesOfPair {
   double second;
 };
 
-/// Triangles that each other's planes cut meet where the line of both planes lies in both. On it each covers the
-/// interval between two edges, those that lead from its lone corner to the others. Edge u from p and edge v from q
-/// cross the line one before the other as the sign of u x v . (q - p) says, always the same way round: the intervals
-/// are disjoint if and only if all four signs are one (Guigue and Devillers, "Fast and robust triangle-triangle overlap
-/// test using orientation predicates", 2003, find two of the four that suffice).
+/// Triangles that intersect each other's planes meet if they overlap on the common line of both planes. Each covers an
+/// interval of it between two edges, those from its lone corner to the others. Edge u from p and edge v from q cross
+/// the line in the order given by the sign of u x v . (q - p), with a fixed orientation: the intervals are disjoint if
+/// and only if all four signs are equal (Guigue and Devillers, "Fast and robust triangle-triangle overlap test using
+/// orientation predicates", 2003, find two of the four that suffice).
 ///
 /// Every product of three is off by 8 epsilon of the extent and the sizes of two edges; it is trusted beyond
 /// tolerance::coarse, 64 of these. So overlapping triangles still meet however one is moved by 56 epsilon of the
-/// extent, for no sign would change: they are deeper than the band of the careful test, 16 along an axis measured by
-/// the sum of its coordinates, 28 at most. And the plane of the nearest two edges, or of a triangle, parts the others
-/// by 56.
+/// extent, since no sign would change: they are deeper than the band of the precise test, 16 along an axis measured by
+/// the sum of its coordinates, 28 at most. And the plane of the nearest two edges, or of a triangle, separates the
+/// others by 56.
 inline std::optional<Relation> filter_of_triangles(const Corners3& a, const Corners3& b, const SizesOfPair& sizes) {
   const double slack = tolerance::coarse * sizes.extent;
   const auto sides_b = sides_of_plane(b, cross(a[1] - a[0], a[2] - a[0]), a[0], slack * sizes.first * sizes.first);
@@ -87,9 +87,10 @@ inline std::optional<Relation> filter_of_triangles(const Corners3& a, const Corn
 
 // ---- A triangle and a segment
 
-/// The segment from p to q crosses the triangle if the plane parts p from q, and it passes all sides on one hand: the
-/// products (q - p) . (corner - p) x side have the sign of the climb. The side that it passes on the other hand spans,
-/// with q - p, a plane that parts the two. Signs are trusted, and verdicts certain, as above.
+/// The segment from p to q crosses the triangle if the plane separates p from q, and it passes all sides with the same
+/// orientation: the products (q - p) . (corner - p) x side have the sign of the climb. A side that it passes with the
+/// other orientation spans, with q - p, a plane that separates the two. Signs are trusted, and verdicts certain, as
+/// above.
 inline std::optional<Relation> filter_of_triangle_and_segment(const Corners3& corners, const Vec<3, double>& p,
                                                               const Vec<3, double>& q, const SizesOfPair& sizes) {
   const double slack = tolerance::coarse * sizes.extent;
@@ -121,15 +122,15 @@ inline double least_along_edge(double squared_corner, double along, double whole
   return squared_corner + t * (t * whole - 2 * along);
 }
 
-/// The verdict on a triangle with the corners a, a + u, a + v and a sphere around zero. The foot a + s u + t v of the
-/// perpendicular from zero solves s u.u + t u.v = -u.a, s u.v + t v.v = -v.a; where it is outside, an edge is nearest
-/// (all from six dot products, as Eberly's "Distance between point and triangle in 3D", 1999, has it, but without his
-/// seven regions, whose branches take longer than the three edges do).
+/// The verdict on a triangle with the corners a, a + u, a + v and a sphere centered at zero. The foot a + s u + t v of
+/// the perpendicular from zero solves s u.u + t u.v = -u.a, s u.v + t v.v = -v.a; if it is outside, an edge is nearest
+/// (all from six dot products, as in Eberly's "Distance between point and triangle in 3D", 1999, but without his seven
+/// regions, whose branches take longer than the three edges do).
 ///
 /// The angle at a is at least 7 degrees from flat, so that u.u v.v - (u.v)^2 is no smaller than 1/64 of its terms. Then
 /// s and t are known to 1600 epsilon of |a| / |u| and |a| / |v|, and the squared distance from the plane to 3400
-/// epsilon of a.a; a foot that is taken for inside or outside by mistake is as near to the edge, and the distance from
-/// the edge the same to the square of that. The distances from the edges are known to 100 epsilon of the sum of the
+/// epsilon of a.a; a foot that is mistaken for inside or outside is as near to the edge, and the squared distance from
+/// the edge differs by the square of that. The distances from the edges are known to 100 epsilon of the sum of the
 /// squares.
 inline std::optional<Relation> filter_of_triangle_and_sphere(const Vec<3, double>& a, const Vec<3, double>& u,
                                                              const Vec<3, double>& v, double radius) {

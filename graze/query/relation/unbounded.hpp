@@ -31,8 +31,8 @@
 
 namespace graze::detail {
 
-// ---- Planes and half-spaces against everything else: how high a shape reaches above and below the plane, in units of
-// the normal.
+// ---- Planes and half-spaces against everything else: the extent of a shape above and below the plane, in units of the
+// normal.
 
 struct Heights {
   double low;
@@ -58,7 +58,7 @@ Heights heights_over(const Plane<N, T>& plane, const S& shape) {
   return {dot(normal, lowest) - offset, dot(normal, highest) - offset, support_error<S> * magnitude};
 }
 
-// The same for spheres and boxes from their centers: no support point is made. The error is as small, and if any number
+// The same for spheres and boxes from their centers, without support points. The error is as small, and if any number
 // is NaN, so are both heights.
 
 template <Dim N, class T>
@@ -102,8 +102,8 @@ template <Dim N, class T>
   return {height - reach, height + reach, tolerance::convex * magnitude};
 }
 
-/// The same of few corners, widened by a radius, by the height of each: nobody chooses the lowest, which a processor
-/// cannot foresee.
+/// The same for a few corners, widened by a radius, from the height of each: a branch on which is the lowest would be
+/// unpredictable.
 template <Dim N, class T, std::size_t count>
 [[gnu::always_inline]] inline Heights heights_of_corners(const Plane<N, T>& plane,
                                                          const std::array<Vec<N, T>, count>& corners, T radius) {
@@ -112,7 +112,7 @@ template <Dim N, class T, std::size_t count>
   const double reach = radius == T(0) ? 0.0 : static_cast<double>(radius) * length_of_normal<T>(normal);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  double sum = 0;  // not a number if any is none
+  double sum = 0;  // NaN if any of them is
   Vec<N, double> farthest(0.0);
   for (const Vec<N, T>& corner : corners) {
     const Vec<N, double> place = wide<N, T>(corner);
@@ -186,15 +186,15 @@ Relation closed_form(const Ray<N, T>& ray, const HalfSpace<N, T>& solid) {
   return relation_to_half_space(solid, ray);
 }
 
-// ---- Planes and half-spaces among themselves
+// ---- Pairs of planes and half-spaces
 
 /// Two planes in units of their normals' lengths, if they are parallel up to rounding.
 struct Parallel {
   bool parallel;
   bool same_way;  ///< The normals point the same way.
-  double first;   ///< The places of the planes along the first one's normal.
+  double first;   ///< The positions of the planes along the first one's normal.
   double second;
-  double slack;  ///< Out of range where the planes' numbers are.
+  double slack;  ///< Out of range if the planes' numbers are.
 
   Relation verdict_on(double gap) const { return parallel ? verdict_on_gap(gap, slack) : Relation::overlapping; }
 };
@@ -230,7 +230,7 @@ Relation closed_form(const Plane<N, T>& plane, const HalfSpace<N, T>& solid) {
   return is_usual_measure<T>(planes.slack) ? verdict : verdict_in_range_or(verdict, plane, solid);
 }
 
-/// Half-spaces miss each other only back to back.
+/// Half-spaces are disjoint only if they face opposite ways.
 template <Dim N, class T>
 Relation closed_form(const HalfSpace<N, T>& a, const HalfSpace<N, T>& b) {
   const Parallel planes = compare_planes(boundary(a), boundary(b));
@@ -318,7 +318,8 @@ Vec<N, double> farthest_from(const Vec<N, T>& point, const Capsule<N, T>& capsul
   return farthest_from(point, axis(capsule)) + static_cast<double>(capsule.radius);
 }
 
-/// From a ray's origin, how far along it anything inside a bounded shape can be met, and a little farther.
+/// From a ray's origin, the distance along it up to which it can meet anything inside a bounded shape, and slightly
+/// more.
 template <Dim N, class T, class S>
 Vec<N, double> reach_to(const Ray<N, T>& ray, const S& shape) {
   const Vec<N, double> direction = wide<N, T>(ray.direction);
@@ -327,7 +328,7 @@ Vec<N, double> reach_to(const Ray<N, T>& ray, const S& shape) {
   return direction * (reach / std::sqrt(dot(direction, direction)));  // a valid direction is not zero
 }
 
-// ---- A shape seen from a point, so that the rounding of coordinates does not grow with the distance from zero.
+// ---- A shape relative to a point, so that the rounding of coordinates does not grow with the distance from zero.
 
 template <Dim N, class T>
 Segment<N, double> relative_to(const Vec<N, double>& origin, const Segment<N, T>& segment) {
@@ -354,7 +355,7 @@ Capsule<N, double> relative_to(const Vec<N, double>& origin, const Capsule<N, T>
   return {wide<N, T>(capsule.a) - origin, wide<N, T>(capsule.b) - origin, static_cast<double>(capsule.radius)};
 }
 
-/// The verdict where a ray cannot be cut in range.
+/// The verdict if a ray cannot be clipped in range.
 template <Dim N, class T, class S>
 std::optional<Relation> verdict_if_unusual(const Vec<N, double>& reach, const Ray<N, T>& ray, const S& shape) {
   if (is_usual_size<T>(sum_abs(reach))) return std::nullopt;
@@ -373,7 +374,7 @@ Relation closed_form(const Ray<N, T>& ray, const S& shape) {
   }
 }
 
-/// A sphere meets the ray at once, or nearly, or not.
+/// A ray meets a sphere certainly, nearly, or not.
 template <Dim N, class T>
 Relation closed_form(const Ray<N, T>& ray, const Sphere<N, T>& sphere) {
   const Vec<N, double> to_center = wide<N, T>(sphere.center) - wide<N, T>(ray.origin);

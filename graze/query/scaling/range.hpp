@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Every finite number counts. Queries calculate with products of a few lengths, which are in the range of double where
-// the lengths are of `usual` size, 2^-100 to 2^100. Floats never need more; doubles may. So a query looks at a number
-// that it calculates anyway and that is as large as its lengths, their squares or its rounding. If that is out of
-// range, it asks once more for the same shapes 2^k times as large, which is exact, and divides the answer. On the usual
-// path that costs the comparison of one number.
+// Every finite number is supported. Queries calculate with products of a few lengths, which are in the range of double
+// if the lengths are of `usual` size, 2^-100 to 2^100. Floats never exceed that; doubles may. So a query checks a
+// number that it calculates anyway and that is as large as its lengths, their squares or its rounding. If that is out
+// of range, it evaluates the same shapes again, 2^k times as large, which is exact, and divides the answer. Usually
+// that costs a single comparison.
 //
-// One k brings numbers whose sizes differ by 2^900 at most into the range in which squares are exact enough. Of wider
-// apart ones the least count as zero: they are less than 2^-900 of the largest.
+// One k brings numbers whose sizes differ by 2^900 at most into the range in which squares are precise enough. If they
+// differ by more, the smallest count as zero: they are less than 2^-900 of the largest.
 #pragma once
 
 #include <algorithm>
@@ -47,14 +47,14 @@ constexpr bool is_usual_size(double size) {
   return std::is_same_v<T, float> || is_between_powers(size, most_usual_exponent);
 }
 
-/// Whether products of a few lengths are in range, by what is as large as the lengths or as their squares and is
-/// calculated anyway.
+/// Whether products of a few lengths are in range, from a number that is as large as the lengths or as their squares
+/// and is calculated anyway.
 template <class T>
 constexpr bool is_usual_measure(double measure) {
   return std::is_same_v<T, float> || is_between_powers(measure, 128);
 }
 
-/// The same of a rounding error, which is epsilon to some thousand epsilon of a size.
+/// The same for a rounding error, which is epsilon to some thousand epsilon of a size.
 template <class T>
 constexpr bool is_usual_error(double error) {
   if constexpr (std::is_same_v<T, float>) return true;
@@ -70,11 +70,11 @@ constexpr bool has_usual_normal(const S& shape) {
   return true;
 }
 
-/// Whether a squared distance is greater than the square of another distance: where squares are too small to tell, no.
+/// Whether a squared distance is greater than the square of another distance; false if squares underflow.
 inline bool is_farther(double squared, double distance) { return squared > distance * distance && squared > 0x1p-960; }
 
-/// Multiplies by 2^exponent: in two steps, since one factor might be beyond the range of double. Exact, but for what
-/// over- or underflows.
+/// Multiplies by 2^exponent: in two steps, since one factor might exceed the range of double. Exact, except for
+/// overflow and underflow.
 class PowerOfTwo {
  public:
   explicit PowerOfTwo(int exponent)
@@ -90,7 +90,7 @@ class PowerOfTwo {
   }
 
  private:
-  /// Never infinite, or zero times it would be no number: what is multiplied by two such factors is too large anyway.
+  /// Never infinite, because zero times infinity is NaN: a number multiplied by two such factors is too large anyway.
   static double factor(int exponent) { return std::ldexp(1.0, std::min(exponent, 1023)); }
 
   int exponent_;
@@ -111,7 +111,7 @@ int exponent_of(const Vec<N, double>& v) {
   return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
 }
 
-/// The same of a direction that is too long or too short for its length to be squared; of others 0.
+/// The same for a direction that is too long or too short for its length to be squared; 0 for others.
 template <Dim N>
 int unusual_exponent_of(const Vec<N, double>& direction) {
   const int exponent = exponent_of(direction);
@@ -123,7 +123,7 @@ template <class S>
 inline constexpr bool can_leave_range = std::is_same_v<scalar_of<S>, double>;
 
 // ---- mapped(shape, f): every length of a shape replaced by f(length), every direction of any length by
-// f.direction(direction). Axes of boxes and rotations stay as they are: their lengths are about 1.
+// f.direction(direction). Axes of boxes and rotations are unchanged: their lengths are about 1.
 
 template <Dim N, class F>
 Vec<N, double> mapped(const Vec<N, double>& point, F& f) {
@@ -199,7 +199,7 @@ Vec<dimension_of<S>, double> support(const Scaled<S>& scaled,
 template <Convex S>
 inline constexpr double support_error<Scaled<S>> = support_error<S>;
 
-// ---- How large the numbers of shapes are
+// ---- The sizes of the numbers of shapes
 
 /// The exponents of the least and the greatest length that is not zero.
 class LengthRange {
@@ -218,8 +218,8 @@ class LengthRange {
     return put(offset, unusual_exponent_of(normal));
   }
 
-  /// By which power of two all is brought into range; none if it is there. The largest number comes near 1 unless the
-  /// least ones would then be too small to square.
+  /// The power of two that brings everything into range; none if it is in range. The largest number becomes about 1
+  /// unless the smallest would then be too small to square.
   std::optional<PowerOfTwo> scale() const {
     if (least_ > greatest_) return is_odd_ ? std::optional(PowerOfTwo(0)) : std::nullopt;
     if (!is_odd_ && (!is_finite_ || (least_ >= -most_usual_exponent && greatest_ < most_usual_exponent)))
@@ -250,8 +250,8 @@ class LengthRange {
   bool is_finite_ = true;
 };
 
-// ---- The lengths of a shape: each is shown to f, the directions to f.direction. Of many corners f may want the
-// largest coordinate alone.
+// ---- The lengths of a shape: f is called for each length, f.direction for each direction. For many corners, f may be
+// called for the largest coordinate only.
 
 template <class S, class F>
 void visit_lengths(const S& shape, F& f) {
@@ -276,7 +276,7 @@ void visit_lengths(const AnyShape<N, double>& shape, F& f) {
   detail::visit([&f](const auto& held) { visit_lengths(held, f); }, shape);
 }
 
-/// Shapes that are known by their support points alone.
+/// Shapes that are only known by their support points.
 template <class S>
 inline constexpr bool is_known_by_support = Convex<S> && !requires(const S& shape, LengthRange& range) {
   mapped(shape, range);
@@ -345,9 +345,9 @@ auto scaled(const Posed<S>& posed, const PowerOfTwo& power) {
   return Posed<Inner>{scaled(posed.shape, power), {posed.pose.rotation, scaled(posed.pose.position, power)}};
 }
 
-// ---- What queries ask
+// ---- The interface for queries
 
-/// Of relation.hpp.
+/// For relation.hpp.
 template <class A, class B>
 Relation decide(const A& a, const B& b);
 
@@ -375,10 +375,11 @@ class UnusualLengths {
   bool are_any() const { return farthest_ >= std::uint64_t{most_usual_exponent} << 54U; }
 
  private:
-  std::uint64_t farthest_ = 0;  ///< From the least usual size on; less than that is beyond all.
+  /// Counted from the smallest usual size; smaller lengths wrap around to the largest values.
+  std::uint64_t farthest_ = 0;
 };
 
-/// False if a length of shapes is neither zero nor of usual size; of polytopes and users' shapes the largest one
+/// False if a length of shapes is neither zero nor of usual size; for polytopes and users' shapes only the largest one
 /// counts.
 template <class... Shapes>
 bool are_usual([[maybe_unused]] const Shapes&... shapes) {
@@ -390,8 +391,8 @@ bool are_usual([[maybe_unused]] const Shapes&... shapes) {
   return true;
 }
 
-/// The power of two that brings shapes into range; none if they are there. For what has been found out of range by a
-/// quick test: this one takes longer.
+/// The power of two that brings shapes into range; none if they are in range. For shapes that a fast test has found out
+/// of range: this one takes longer.
 template <class... Shapes>
 [[gnu::noinline, gnu::cold]] std::optional<PowerOfTwo> scale_for(const Shapes&... shapes) {
   if constexpr ((can_leave_range<Shapes> && ...)) {
@@ -410,7 +411,7 @@ template <class... Shapes>
   return range.greatest() >= most_usual_exponent;
 }
 
-/// ask(power, scaled shapes ...) of shapes that are out of range; none of others.
+/// ask(power, scaled shapes ...) for shapes that are out of range; none for others.
 template <class Answer, class Ask, class... Shapes>
 std::optional<Answer> answer_in_range([[maybe_unused]] const Ask& ask, const Shapes&... shapes) {
   if constexpr ((can_leave_range<Shapes> && ...)) {
@@ -419,14 +420,14 @@ std::optional<Answer> answer_in_range([[maybe_unused]] const Ask& ask, const Sha
   return std::nullopt;
 }
 
-/// The verdict on two shapes that are out of range; none of others.
+/// The verdict on two shapes that are out of range; none for others.
 template <class A, class B>
 [[gnu::noinline, gnu::cold]] std::optional<Relation> verdict_in_range(const A& a, const B& b) {
   return answer_in_range<Relation>(
       [](const auto&, const auto& scaled_a, const auto& scaled_b) { return decide(scaled_a, scaled_b); }, a, b);
 }
 
-/// The same, or else the verdict that has been found. A call at the end of whoever asks costs others nothing.
+/// The same, or else the given verdict. As a tail call it costs pairs in range nothing.
 template <class A, class B>
 [[gnu::noinline, gnu::cold]] Relation verdict_in_range_or(Relation found, const A& a, const B& b) {
   return verdict_in_range(a, b).value_or(found);

@@ -27,7 +27,7 @@ struct WideManifold {
   std::uint32_t part_b = 0;
 };
 
-/// Makes it that of (b, a).
+/// Converts it to that of (b, a).
 template <Dim N>
 void exchange(WideManifold<N>& manifold) {
   manifold.found = exchanged(manifold.found);
@@ -62,8 +62,8 @@ void move_points(WideManifold<N>& manifold, const Vec<N, double>& origin) {
   }
 }
 
-/// The point of a contact alone: all that there is of some pairs, and of shapes whose sizes are too far apart for faces
-/// to be laid on each other.
+/// Only the contact point: for some pairs there is no other, and for shapes whose sizes differ too much for faces to be
+/// clipped.
 template <Dim N>
 WideManifold<N> manifold_of_one_point(const Penetration<N>& found) {
   WideManifold<N> result;
@@ -73,7 +73,7 @@ WideManifold<N> manifold_of_one_point(const Penetration<N>& found) {
   return result;
 }
 
-/// Makes it that of shapes 2^k times as large.
+/// Scales it to shapes 2^k times as large.
 template <Dim N>
 void resize(WideManifold<N>& manifold, const PowerOfTwo& power) {
   manifold.found = resized(manifold.found, power);

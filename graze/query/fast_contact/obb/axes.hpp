@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which of the fifteen axes of two oriented boxes can be the one that parts them: a look in float, four numbers at a
-// time, that leaves one or two for the careful search of contact/boxes.hpp, and mostly knows the verdict, too.
+// Which of the fifteen axes of two oriented boxes may be the separating one: a test in float, four numbers at a time,
+// that leaves one or two for the precise search of contact/boxes.hpp and usually decides the verdict, too.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 
 namespace graze::detail {
 
-/// What a look at two boxes shows. The axes are those that the search may not leave out; all of them where the look
-/// showed nothing.
+/// The result of testing two boxes. The axes are those that the search has to include; all of them if the test was not
+/// conclusive.
 struct ObbAxes {
   BoxesAxes candidates = all_boxes_axes<3>;
   Relation verdict = Relation::touching;  ///< Touching: too close to tell.
@@ -40,13 +40,13 @@ struct ObbAxes {
   return largest_of_three(larger(magnitude(squares), magnitude(products)));
 }
 
-/// The gaps on the cross products of edges, column j for edge j of the second box: as long as these are.
+/// The gaps on the cross products of edges, column j for edge j of the second box; scaled by the products' lengths.
 struct GapsAcross {
   LaneMatrix gaps;
   LaneMatrix squared_length;
   Lanes widest;
-  Lanes least_squared;  ///< Depths by length, with a band more: no pair of edges with a depth above all is of use.
-  LaneBits are_open;    ///< Where a gap may be, of edges that are not nearly parallel.
+  Lanes least_squared;  ///< Depth by length, plus a band: a pair of edges with all depths below this is irrelevant.
+  LaneBits are_open;    ///< Where there may be a gap, for edges that are not nearly parallel.
 
   [[gnu::always_inline]] GapsAcross(const LanesFromBox& seen, float size, float orthonormality_error)
       : widest{-size, -size, -size, -size}, least_squared(widest * widest), are_open{0, 0, 0, 0} {
@@ -57,7 +57,7 @@ struct GapsAcross {
       const Lanes gap = seen.gaps_across(j);
       const Lanes near = turned(seen.shadow.column[j]);
       const Lanes far = turned_back(seen.shadow.column[j]);
-      const Lanes deepest = gap - band;  // not above zero unless the boxes are apart
+      const Lanes deepest = gap - band;  // positive only if the boxes are disjoint
       gaps.column[j] = gap;
       squared_length.column[j] = near * near + far * far;
       widest = larger(widest, gap);
@@ -66,7 +66,7 @@ struct GapsAcross {
     }
   }
 
-  /// Those that may be above a gap below zero.
+  /// Those whose gap may exceed a negative gap.
   [[gnu::always_inline]] LaneBits candidates(float least, float band) const {
     LaneBits result = {0, 0, 0, 0};
     LaneBits bits = {1 << 6, 1 << 9, 1 << 12, 0};
@@ -81,18 +81,18 @@ struct GapsAcross {
   }
 };
 
-/// The axes whose gaps may be the widest, up to what a search takes for equal.
+/// The axes whose gaps may be the widest, up to differences that a search treats as equal.
 ///
-/// The gap on a face's axis is off by 7 skew of the size, that on a cross product of edges by 10, which is as wrong for
-/// its length by 3: see filter_of_boxes. So the widest gap is at least that on any face less a band, and (g - band) / l
-/// of any cross product of length l with the gap g: with w the largest of these, no face is the widest with a gap below
-/// w - band, nor a cross product with g + band < (w - band) l. What the search takes for equal is less than the least
-/// band by a factor of ten thousand; what is left of a band holds the rounding of w.
+/// The gap on a face's axis is off by up to 7 skew of the size, that on a cross product of edges by 10, and its length
+/// by 3: see filter_of_boxes. So the widest gap is at least that on any face less a band, and (g - band) / l of any
+/// cross product of length l with the gap g: with w the largest of these, no face with a gap below w - band is the
+/// widest, nor a cross product with g + band < (w - band) l. Differences that the search treats as equal are smaller
+/// than the least band by a factor of ten thousand; the rest of a band covers the rounding of w.
 [[gnu::always_inline]] inline ObbAxes axes_of(const LanesFromBox& seen, float orthonormality_error) {
   const Lanes reach_of_own = seen.box_half + combined(seen.shadow, seen.half);
   const Lanes distance_of_own = magnitude(seen.between);
   const float size = sum_of_three(distance_of_own + reach_of_own);
-  // Squares of a band must not come near the least numbers, nor those of a length near the largest.
+  // Squares of a band must not be close to the smallest numbers, nor those of a length close to the largest.
   if (!(size > 0x1p-30F && size < 0x1p30F)) return {};
   const float band = static_cast<float>(tolerance::box_filter) * orthonormality_error * size;
   const Lanes own = distance_of_own - reach_of_own;
@@ -116,7 +116,7 @@ struct GapsAcross {
   return result;
 }
 
-/// Three neighbours of the fifteen numbers of a box, and the one after them, which must be one of the box.
+/// Three adjacent numbers of the fifteen of a box, and the one after them, which must belong to the box.
 [[gnu::always_inline]] inline Lanes narrowed(const Obb<3, double>& box, std::size_t first) {
   using Four = double __attribute__((vector_size(32)));  // in two registers
   Four four;

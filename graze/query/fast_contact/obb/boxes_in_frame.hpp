@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two boxes in space, of which one at least is oriented, as the quick way of their contact sees them: in double, from a
-// point near both. Include closest_points.hpp.
+// Two 3D boxes, at least one of them oriented, for their fast contact: in double, relative to a point near both.
+// Include closest_points.hpp.
 #pragma once
 
 #include <graze/math/vec.hpp>
@@ -16,7 +16,7 @@
 
 namespace graze::detail {
 
-/// Two oriented boxes, seen from the first one's center.
+/// Two oriented boxes, relative to the first one's center.
 template <class T>
 class ObbsInFrame {
  public:
@@ -25,13 +25,13 @@ class ObbsInFrame {
 
   [[gnu::always_inline]] Vec<3, double> origin() const { return reference(first_); }
 
-  /// The boxes, and where their centers are seen.
+  /// The boxes, and the positions of their centers.
   [[gnu::always_inline]] const Obb<3, T>& first() const { return first_; }
   [[gnu::always_inline]] const Obb<3, T>& second() const { return second_; }
   [[gnu::always_inline]] Vec<3, double> first_center() const { return Vec<3, double>(0.0); }
   [[gnu::always_inline]] Vec<3, double> second_center() const { return reference(second_) - reference(first_); }
 
-  /// The same for the careful way.
+  /// The same for the general algorithm.
   Obb<3, double> first_local() const { return relative_to(origin(), first_); }
   Obb<3, double> second_local() const { return relative_to(origin(), second_); }
 
@@ -43,9 +43,9 @@ class ObbsInFrame {
   const Obb<3, T>& second_;
 };
 
-/// An oriented box and one along the coordinate axes, as oriented ones in double, both seen from the oriented one's
-/// center. What `mixed_boxes` rounds, four half roundings of the coordinates as they are seen, is within what
-/// boxes_error has for the roundings of a gap, of which that has twice as many as there are.
+/// An oriented and an axis-aligned box, both as oriented boxes in double, relative to the oriented one's center. The
+/// error of `mixed_boxes`, four half roundings of the coordinates, is within what boxes_error allows for the rounding
+/// of a gap, which is twice the actual number of roundings.
 struct MixedBoxes {
   Obb<3, double> oriented;
   Obb<3, double> along_axes;
@@ -57,7 +57,7 @@ MixedBoxes mixed_boxes(const Obb<3, T>& oriented, const Aabb<3, T>& along_axes) 
   return {oriented_box_from(origin, oriented), oriented_box_from(origin, along_axes)};
 }
 
-/// The same as a contact sees them: the oriented one is the first.
+/// The same in the order of a contact: the oriented box is the first.
 template <class T>
 class ObbAndAabbInFrame {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Four of many corners of a face over a face: SpanningChoice of manifold_points.hpp in float, all corners at once,
-// because which corner is better is guessed wrong.
+// Selects four of many corners of a face over a face: SpanningChoice of manifold_points.hpp in float, all corners at
+// once, because branches on which corner is better are mispredicted.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +17,15 @@
 
 namespace graze::detail {
 
-/// A number for each corner, by the line that starts there; and three more.
+/// A number for each corner, indexed by the line that starts there; three more as padding.
 struct CornerLanes {
   Lanes four[3];
 
   float operator[](std::size_t i) const { return four[i / 4][i % 4]; }
 };
 
-/// Corners are seen from the first one, in units of the longer half edge of the incident face: in float they are off by
-/// a hundredth of what SpanningChoice takes for equal.
+/// Corners are relative to the first one, in units of the longer half edge of the incident face: float is accurate to a
+/// hundredth of the difference that SpanningChoice treats as equal.
 class LaneChoice {
  public:
   [[gnu::always_inline]] LaneChoice(const FaceOverFace& over, const PairedVec& normal, bool on_incident)
@@ -35,7 +35,7 @@ class LaneChoice {
     const double longest = std::max(dot(face.right, face.right), dot(face.up, face.up));
     const double down = -1 / std::sqrt(longest);
     const double scale = down * down;
-    // Points on the reference face have no height, and with that of the incident one are as far from each other.
+    // Points on the reference face have no height; points on the incident face are equally far apart with theirs.
     const LanePair flat = on_incident ? LanePair{0, 0} : climb;
     xx_ = static_cast<float>((dot(face.right, face.right) - flat[0] * flat[0]) * scale);
     yy_ = static_cast<float>((dot(face.up, face.up) - flat[1] * flat[1]) * scale);
@@ -49,7 +49,7 @@ class LaneChoice {
     }
   }
 
-  /// By the lines that start there, as bits.
+  /// As bits, by the lines that start there.
   [[gnu::always_inline]] unsigned run() const {
     const auto equal = static_cast<float>(tolerance::aligned);
     const CornerLanes from_first = squared_from(first_);
@@ -69,7 +69,7 @@ class LaneChoice {
   }
 
  private:
-  /// In place of a corner that is not there the first, which is never better than itself.
+  /// A missing corner is replaced by the first one, which is never better than itself.
   [[gnu::always_inline]] void place_four(const FaceOverFace& over, std::size_t first, std::size_t four) {
     using Four = double __attribute__((vector_size(32)));  // in two registers
     const LanePair origin = over.within(first_);
@@ -101,7 +101,7 @@ class LaneChoice {
     return std::max(two[0], two[1]);
   }
 
-  /// As SpanningChoice: the first, but for a later one that is better by more than the slack, and so on.
+  /// As in SpanningChoice: the first, unless a later one is better by more than the slack, and so on.
   [[gnu::always_inline]] std::size_t best(const CornerLanes& values, float slack) const {
     const float least = largest(values) - slack;
     LaneBits bits = {1, 2, 4, 8};
@@ -130,7 +130,7 @@ class LaneChoice {
   unsigned left_;  ///< The lines on which sides start, as bits; and the first of them.
   std::size_t first_;
   float xx_, yy_, xy_;  ///< The squared length of x * right + y * up is xx * x * x + yy * y * y + xy * x * y.
-  float area_;          ///< Of the rectangle of right and up, across the normal.
+  float area_;          ///< The area of the rectangle of right and up, projected along the normal.
   CornerLanes x_, y_, depth_;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The points at which two boxes in space touch, of which one at least is oriented, of most pairs: pairs_of_boxes in
-// contact/boxes.hpp with what is known of boxes that are not flat, whose faces lie neither nearly along the same
-// planes nor at equal angles.
+// Contact points of two 3D boxes, at least one of them oriented, for most pairs: pairs_of_boxes in contact/boxes.hpp,
+// simplified for boxes that are not flat and whose faces are neither nearly coplanar nor at equal angles.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +25,7 @@
 
 namespace graze::detail {
 
-/// Two boxes in space, one of them oriented at least, for which there is a quick way.
+/// Two 3D boxes, at least one of them oriented, for which there is a fast contact.
 template <class A, class B>
 inline constexpr bool are_quick_obbs = false;
 
@@ -39,7 +38,7 @@ inline constexpr bool are_quick_obbs<Aabb<3, T>, Obb<3, T>> = true;
 template <class T>
 inline constexpr bool are_quick_obbs<Obb<3, T>, Aabb<3, T>> = true;
 
-/// Cosines of angles between a direction and a box' axes are those with its normals up to this.
+/// Cosines of angles between a direction and a box's axes equal those with its normals up to this.
 inline constexpr double doubt_of_cosines = 16 * tolerance::orthonormal;
 
 inline Mat<3, double> axes_matrix(const PairedBox& box) {
@@ -51,13 +50,13 @@ inline BoxSides<3> sides_of(const PairedBox& box) {
           axes_matrix(box)};
 }
 
-/// That of a box where little keeps two faces apart.
+/// That of a box whose two faces are at almost the same angle.
 [[gnu::noinline]] inline BoxFaceNumbers looking_side(const PairedBox& box, const PairedVec& direction) {
   const BoxSide<3> side = side_along<3>(face_normals(axes_matrix(box)), plain(direction));
   return {side.axis, side.is_far};
 }
 
-/// The face of a box that looks most along a direction, as side_along chooses it. Without branches but for doubt.
+/// The face of a box that faces most along a direction, as side_along selects it. Branch-free unless it is uncertain.
 [[gnu::always_inline]] inline BoxFaceNumbers looking_face(const PairedBox& box, const PairedVec& direction) {
   const double x = dot(box.axes[0], direction);
   const double y = dot(box.axes[1], direction);
@@ -73,26 +72,26 @@ inline BoxSides<3> sides_of(const PairedBox& box) {
   return {static_cast<Dim>(best), (far >> best & 1U) != 0};
 }
 
-/// Whether a face may look straight along a direction.
+/// Whether a face may be perpendicular to a direction.
 [[gnu::always_inline]] inline bool may_be_aligned(const PairedBox& box, const PairedVec& direction) {
   const double most = std::max(std::max(std::fabs(dot(box.axes[0], direction)), std::fabs(dot(box.axes[1], direction))),
                                std::fabs(dot(box.axes[2], direction)));
   return most > 1 - doubt_of_cosines;
 }
 
-/// The axis across an edge of each of two boxes, and what of it also says where they cross.
+/// The axis perpendicular to an edge of each of two boxes, and values that also determine where they cross.
 struct AxisAcrossEdges {
-  PairedVec across;     ///< The first box' edge x the second's.
-  double squared;       ///< Its length, squared.
-  double ahead;         ///< How far the second center lies along it.
-  LanePair heights[2];  ///< Of each box, those of the half edges along the next axis and the one after it.
+  PairedVec across;     ///< The first box's edge x the second's.
+  double squared;       ///< Its squared length.
+  double ahead;         ///< The second center's coordinate along it.
+  LanePair heights[2];  ///< For each box, those of the half edges along the next axis and the one after it.
 };
 
-/// The least squared sine of an angle between two edges whose cross product needs no care, as in cross_of_directions,
-/// and whatever their lengths, which are about 1.
+/// The least squared sine of an angle between two edges whose cross product needs no special care, as in
+/// cross_of_directions, for edges of any length close to 1.
 inline constexpr double least_squared_sine = 1.001 / 64;
 
-/// Two boxes in space that meet, as ObbsInFrame or ObbAndAabbInFrame sees them, and the axis that parts them: across a
+/// Two 3D boxes that meet, as ObbsInFrame or ObbAndAabbInFrame represents them, and the axis of least depth: across a
 /// face of one of them, or across an edge of each.
 struct MeetingObbs {
   PairedBox box[2];
@@ -101,9 +100,9 @@ struct MeetingObbs {
   double gap;
   bool is_on_edges;
   bool is_of_b;  ///< The face.
-  Dim axis;      ///< Across which the face lies, or along which a's edge.
+  Dim axis;      ///< Across which the face lies, or along which a's edge lies.
   Dim edge_b;
-  AxisAcrossEdges edges;  ///< Of no meaning across a face.
+  AxisAcrossEdges edges;  ///< Meaningless across a face.
 
   template <class Seen>
   [[gnu::always_inline]] MeetingObbs(const Seen& seen, BoxesAxes candidates)
@@ -133,7 +132,7 @@ struct MeetingObbs {
   double depth() const { return std::max(0.0, -gap); }
   double error() const { return std::max(0.0, gap) + boxes_error * size; }
 
-  /// The same as contact/boxes.hpp has it.
+  /// The same as in contact/boxes.hpp.
   BoxesContact<3> contact() const {
     BoxesContact<3> result{{{plain(normal), gap}, is_of_b, axis, std::nullopt}, size, {}};
     if (is_on_edges) result.axis.edges = {axis, edge_b};
@@ -149,7 +148,7 @@ struct MeetingObbs {
                               magnitude(seen.half_edges[2]));
   }
 
-  // The calculations of BoxesSearch, to the bit.
+  // Bit-identical to the calculations of BoxesSearch.
 
   struct FaceAxis {
     PairedVec normal;
@@ -176,7 +175,7 @@ struct MeetingObbs {
     edge_b = 0;
   }
 
-  /// The axis as it is where `across` is known well.
+  /// The axis itself, if `across` is precise.
   [[gnu::always_inline]] AxisAcrossEdges edges_axis(Dim i, Dim j, const PairedVec& across, double squared) const {
     const auto heights = [&across](const PairedBox& seen, Dim along) {
       return LanePair{dot(across, seen.half_edges[(along + 1) % 3]), dot(across, seen.half_edges[(along + 2) % 3])};
@@ -184,7 +183,7 @@ struct MeetingObbs {
     return {across, squared, dot(across, box[1].center - box[0].center), {heights(box[0], i), heights(box[1], j)}};
   }
 
-  /// Times its length.
+  /// Multiplied by its length.
   [[gnu::always_inline]] static double gap_across(const AxisAcrossEdges& found) {
     const LanePair reach_a = magnitude(found.heights[0]);
     const LanePair reach_b = magnitude(found.heights[1]);
@@ -202,7 +201,7 @@ struct MeetingObbs {
     edges = found;
   }
 
-  /// One of several axes, or one that needs care.
+  /// Of several axes, or of one that needs care.
   [[gnu::noinline]] void search(BoxesAxes candidates) {
     const double margin = tolerance::rounding * size;
     candidates = distinct_axes(candidates, repeated_axes(box[0].axes, box[1].axes));
@@ -225,7 +224,7 @@ struct MeetingObbs {
     if (!(squared > least_squared_sine)) {
       const Vec<3, double> along_a = plain(box[0].axes[i]);
       const Vec<3, double> along_b = plain(box[1].axes[j]);
-      if (along_a == along_b) return;  // as boxes on boxes often have it
+      if (along_a == along_b) return;  // frequent for boxes lying on boxes
       across = PairedVec(cross_of_directions(along_a, along_b));
       squared = dot(across, across);
       if (!(squared > 0)) return;
@@ -240,7 +239,7 @@ struct MeetingObbs {
   }
 };
 
-/// A face that the points of a contact are laid on, with its own normal; or none.
+/// A face that the points of a contact are projected onto, with its own normal; or none.
 struct ReferenceFace {
   bool is_any;
   bool is_of_b;
@@ -248,7 +247,7 @@ struct ReferenceFace {
   PairedVec normal;
 };
 
-/// The face of a box that looks straight along a direction, if any does.
+/// The face of a box that is perpendicular to a direction, if any.
 [[gnu::noinline]] inline ReferenceFace aligned_face(const PairedBox& box, const PairedVec& direction, bool is_of_b) {
   const BoxFaceNumbers face = looking_face(box, direction);
   const Vec<3, double> side = sides_of(box).normal(face.axis);
@@ -262,16 +261,16 @@ struct ReferenceFace {
   return {false, is_of_b, {}, direction};
 }
 
-/// The face that the axis is the normal of.
+/// The face whose normal is the axis.
 [[gnu::always_inline]] inline ReferenceFace face_of_axis(const MeetingObbs& met) {
   const PairedVec up = met.normal * (met.is_of_b ? -1.0 : 1.0);
   return {true, met.is_of_b, {met.axis, dot(met.box[met.is_of_b ? 1 : 0].axes[met.axis], up) > 0}, up};
 }
 
-/// Whether the axis across two edges may be the normal of a face: along one edge of a box hardly, it is along the
-/// other.
+/// Whether the axis across two edges may be the normal of a face: if it is nearly perpendicular to one edge of a box,
+/// it is along the other.
 [[gnu::always_inline]] inline bool may_be_along_face(const MeetingObbs& met) {
-  constexpr double least_cosine = 1.0 / 16;  // at the least sine^2 + cosine^2 of axes, more than the sine in doubt
+  constexpr double least_cosine = 1.0 / 16;  // at least the sine^2 + cosine^2 of axes, more than the uncertain sine
   const double least = least_cosine * std::sqrt(met.edges.squared);
   const auto is_low = [least](const PairedBox& box, Dim along, LanePair heights) {
     return std::fabs(heights[0]) <= least * box.half[(along + 1) % 3] ||
@@ -280,7 +279,7 @@ struct ReferenceFace {
   return is_low(met.box[0], met.axis, met.edges.heights[0]) || is_low(met.box[1], met.edge_b, met.edges.heights[1]);
 }
 
-/// The face that carries the points of a manifold: face_pairs in manifold_points.hpp.
+/// The reference face of a manifold: face_pairs in manifold_points.hpp.
 [[gnu::always_inline]] inline ReferenceFace reference_face(const MeetingObbs& met) {
   if (met.is_on_edges) {
     if (!may_be_along_face(met)) [[likely]]
@@ -295,7 +294,7 @@ struct ReferenceFace {
   return face_of_axis(met);
 }
 
-/// The other box' face on a carrying face, `flush` as FacingPatches has it.
+/// The other box's face over a reference face, `flush` as in FacingPatches.
 [[gnu::always_inline]] inline FaceOverFace face_over(const MeetingObbs& met, const ReferenceFace& face, double flush) {
   const PairedBox& box = met.box[face.is_of_b ? 1 : 0];
   const PairedBox& other = met.box[face.is_of_b ? 0 : 1];
@@ -308,13 +307,13 @@ struct ReferenceFace {
           flush};
 }
 
-/// The edge along `axis` that is farthest along a direction, by its number and its middle.
+/// The edge along `axis` that is farthest in a direction, with its number and its middle.
 struct NumberedEdge {
   std::uint32_t number;
   PairedVec middle;
 };
 
-/// By the heights of the half edges along the next axis and the last one along the direction.
+/// From the heights along the direction of the half edges along the next axis and the last one.
 [[gnu::always_inline]] inline NumberedEdge farthest_numbered(const PairedBox& box, Dim axis, LanePair heights) {
   const double side_of_next = sign_of(heights[0]);
   const double side_of_last = sign_of(heights[1]);
@@ -326,7 +325,7 @@ struct NumberedEdge {
   return std::min(std::min(box.half[0], box.half[1]), box.half[2]);
 }
 
-/// Where two edges cross, if neither is near its end, nor hardly as long as it is wide.
+/// Where two edges cross, if neither crosses near its end or is hardly longer than wide.
 struct CrossingEdges {
   bool is_known;
   PairedPoints points;
@@ -335,7 +334,7 @@ struct CrossingEdges {
 /// With u and v along the edges and w from middle to middle, n = u x v, at s n^2 = (w x v) . n and t n^2 = (w x u) . n.
 [[gnu::always_inline]] inline CrossingEdges quick_pair_on_edges(const MeetingObbs& met) {
   constexpr double farthest = 1 - 0x1p-20;
-  constexpr double least_share = 2e-6;  // of the size: of an edge that is not taken for a point
+  constexpr double least_share = 2e-6;  // relative to the size: of an edge that does not count as a point
   const auto& [across, squared, ahead, heights] = met.edges;
   const double side = sign_of(ahead);
   const NumberedEdge edge_a = farthest_numbered(met.box[0], met.axis, heights[0] * side);
@@ -357,7 +356,7 @@ struct CrossingEdges {
            {FeatureKind::edge, edge_b.number}}};
 }
 
-/// Whether two boxes are apart, at whose axes one has looked.
+/// Whether two boxes are disjoint, after their axes were tested.
 template <class Seen>
 [[gnu::always_inline]] inline bool are_apart(const Seen& seen, const ObbAxes& axes) {
   if (axes.verdict != Relation::touching) [[likely]]
@@ -365,12 +364,12 @@ template <class Seen>
   return seen.are_apart_for_certain();
 }
 
-/// The points of a contact, of a's surface and of b's.
+/// The contact points, on a's surface and on b's.
 struct TouchingPoints {
   PairedVec of[2];
 };
 
-/// The careful way to them.
+/// The general algorithm.
 template <class Seen>
 [[gnu::noinline]] void find_points_carefully(const Seen& seen, const BoxesContact<3>& contact, TouchingPoints& points) {
   const auto pair = touching_pair(seen.first_local(), seen.second_local(), contact);
@@ -378,8 +377,8 @@ template <class Seen>
   points.of[1] = PairedVec(pair.point_b + seen.origin());
 }
 
-/// The deepest corner of the other box, if it lies clearly over the face that the axis is the normal of: no other point
-/// is deeper, and nothing need be cut.
+/// The deepest corner of the other box, if it lies clearly over the face whose normal is the axis: no other point is
+/// deeper, and no clipping is necessary.
 struct CornerOverFace {
   bool is_any;
   PairedVec corner;
@@ -402,7 +401,7 @@ struct CornerOverFace {
   return {is_over, corner, corner + up * met.depth()};
 }
 
-/// Where the two edges cross; or the deepest of the points over the face that the axis is the normal of, the first of
+/// Where the two edges cross; or the deepest of the points over the face whose normal is the axis, the first of
 /// several.
 template <class Seen>
 [[gnu::always_inline]] inline TouchingPoints touching_points(const Seen& seen, const MeetingObbs& met) {
@@ -432,7 +431,7 @@ template <class Seen>
   return points;
 }
 
-/// The penetration of two that meet, in the order of their contact.
+/// The penetration of two boxes that meet, in the order of their contact.
 template <class Seen>
 std::optional<Penetration<3>> penetration_of_obbs(const Seen& seen) {
   const ObbAxes axes = seen.axes();

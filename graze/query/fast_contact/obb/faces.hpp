@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One face of a box laid over one of another: what patch/clipped.hpp does for any two, for two rectangles in the
-// coordinates of one of them, where sides are |x| <= 1 and |y| <= 1. Sides are cut by strips as Liang and Barsky have
-// it (A New Concept and Method for Line Clipping, 1984), each by itself, so that a corner follows from its two lines
-// alone.
+// Clips one face of a box to another: what patch/clipped.hpp does for any two polygons, specialised for two rectangles
+// in the coordinates of one of them, whose sides are |x| <= 1 and |y| <= 1. Sides are clipped by strips as in Liang and
+// Barsky (A New Concept and Method for Line Clipping, 1984), each independently, so that a corner depends only on its
+// two lines.
 #pragma once
 
 #include <algorithm>
@@ -25,12 +25,12 @@
 
 namespace graze::detail {
 
-/// An oriented box, two coordinates at a time: read as they were written, or the processor waits for what was.
+/// An oriented box, two coordinates at a time: read as they were written, so that store forwarding works.
 struct PairedBox {
   PairedVec center;
   PairedVec axes[3];
   PairedVec half_edges[3];
-  double half[3];  ///< Their lengths but for those of the axes, which are about 1.
+  double half[3];  ///< The half lengths, except for the lengths of the axes, which are about 1.
 };
 
 template <class T>
@@ -49,7 +49,7 @@ struct BoxFace {
   PairedVec middle;
   PairedVec right;
   PairedVec up;
-  double half_right;  ///< Their lengths, as PairedBox has them.
+  double half_right;  ///< Their lengths, as in PairedBox.
   double half_up;
 };
 
@@ -71,12 +71,12 @@ struct PairedPoints {
   Feature feature_b;
 };
 
-// ---- What a corner of a face over a face lies on, by the lines that meet there. From tables, since what differs from
-// corner to corner is guessed wrong.
+// ---- The features that a corner of a clipped face lies on, by the lines that meet there. From tables, since branches
+// that differ from corner to corner are mispredicted.
 
-/// The lines that bound what is left: 0 to 3 are the sides of the incident face, one after the other; 4 to 7 those of
-/// the reference face, in the same sense once its coordinates are turned around, y = -1 first; 8 is its plane. Two that
-/// follow each other meet in a corner, which is named by the line that starts there.
+/// The lines that bound the clipped face: 0 to 3 are the sides of the incident face, in order; 4 to 7 those of the
+/// reference face, in the same sense of rotation after its coordinates are mirrored, y = -1 first; 8 is its plane. Two
+/// consecutive lines meet in a corner, which is identified by the line that starts there.
 inline constexpr std::size_t face_lines = 9;
 inline constexpr std::size_t reference_lines = 4;
 inline constexpr std::size_t top_line = 8;
@@ -84,7 +84,7 @@ inline constexpr std::size_t top_line = 8;
 /// The corner where the side on one line ends and that on another starts.
 constexpr std::size_t line_pair(std::size_t ends, std::size_t starts) { return face_lines * ends + starts; }
 
-/// The features of each side of a box in space, by BoxFaceNumbers::face(): itself, its edges, its vertices.
+/// The features of each side of a 3D box, by BoxFaceNumbers::face(): itself, its edges, its vertices.
 inline constexpr std::uint32_t face_place = 0;
 inline constexpr std::uint32_t edge_place = 1;
 inline constexpr std::uint32_t vertex_place = 5;
@@ -102,7 +102,7 @@ inline constexpr auto features_of_faces = [] {
   return features;
 }();
 
-/// Where a corner is on the two faces, as features_of_faces lists it.
+/// The features of the two faces that a corner lies on, as indices into features_of_faces.
 struct PlacesOnFaces {
   static constexpr std::size_t reference = 0;
   static constexpr std::size_t incident = 1;
@@ -110,7 +110,7 @@ struct PlacesOnFaces {
   std::uint8_t on[2];
 };
 
-/// `turns` has bit 0 where x was turned around, and bit 1 where y was: that exchanges the sides across it.
+/// `turns` has bit 0 set if x was mirrored, and bit 1 if y was: that exchanges the sides across it.
 constexpr PlacesOnFaces places_on_faces(std::uint32_t turns, std::uint32_t ends, std::uint32_t starts) {
   constexpr auto reference = static_cast<std::uint32_t>(reference_lines);
   constexpr auto top = static_cast<std::uint32_t>(top_line);
@@ -147,18 +147,18 @@ inline constexpr auto places_by_lines = [] {
   return places;
 }();
 
-/// The incident face over the reference face. What is left is bounded by at most one side on each line, whose start is
-/// a corner.
+/// The incident face clipped to the reference face. The result has at most one side on each line, and its start is a
+/// corner.
 class FaceOverFace {
  public:
-  /// Seen along the contact's normal `up`, of length 1, which `normal`, the reference face's own, is equal to but for
-  /// 1e-5 at most. What is above by up to `slack` stays, and so does what is beside by as much; and all of it if none
-  /// is above by more than `flush`, as FacingPatches has it.
+  /// Projected along the contact's unit normal `up`, which equals `normal`, the reference face's own, up to 1e-5.
+  /// Anything above or outside by up to `slack` is kept; everything is kept if nothing is above by more than `flush`,
+  /// as in FacingPatches.
   [[gnu::always_inline]] FaceOverFace(const BoxFace& incident, const BoxFace& reference, const PairedVec& up,
                                       const PairedVec& normal, double slack, double flush)
       : incident_(incident), reference_(reference), up_(up), normal_(normal), slack_(slack), flush_(flush) {}
 
-  /// False where rounding hides the way around, or the reference face is hardly one.
+  /// False if rounding hides the order of the corners, or the reference face is degenerate.
   bool run() {
     if (!place_incident()) return false;
     cut_sides();
@@ -169,17 +169,17 @@ class FaceOverFace {
     return cut_top();
   }
 
-  /// The lines on which sides are left, as bits.
+  /// The lines that still have sides, as bits.
   unsigned left() const { return left_; }
-  /// How many corners lie over the reference face and not above it.
+  /// The number of corners over the reference face and not above it.
   std::size_t size() const { return static_cast<std::size_t>(std::popcount(left_)); }
   /// The first of all corners, if there is any.
   std::size_t first() const { return static_cast<std::size_t>(std::countr_zero(left_)); }
 
-  // Of the corner where the side on a line starts.
+  // Properties of the corner where the side on a line starts.
 
   double depth(std::size_t line) const { return std::max(0.0, -height_of(sides_[line].start)); }
-  /// Where it is in the incident face, in halves of its edges.
+  /// Its position in the incident face, in half edges.
   LanePair within(std::size_t line) const { return sides_[line].start; }
 
   /// The first of several.
@@ -192,7 +192,7 @@ class FaceOverFace {
     return deepest;
   }
   const BoxFace& incident() const { return incident_; }
-  /// How much higher the ends of the incident face's right and up are than its middle.
+  /// How much higher the incident face's right and up are than its middle.
   LanePair climb() const { return climb_; }
   /// With the reference face's box as the first.
   [[gnu::always_inline]] PairedPoints pair(std::size_t line) const {
@@ -216,7 +216,8 @@ class FaceOverFace {
   static constexpr std::size_t nowhere = face_lines;
 
   /// A point's coordinates across Y, X and the plane: x = n . (p x Y) / n . (X x Y), y = n . (X x p) / n . (X x Y).
-  /// Then they are turned around so that x grows along the incident face's right, and both faces have one sense.
+  /// They are then mirrored so that x increases along the incident face's right and both faces have the same
+  /// orientation.
   bool place_incident() {
     if (!(std::min(reference_.half_right, reference_.half_up) > 1e3 * slack_)) return false;
     const PairedVec across_up = cross(reference_.up, up_);
@@ -250,17 +251,17 @@ class FaceOverFace {
     return height_ + (rise[0] + rise[1]);
   }
 
-  /// What of a side lies over the reference face: base + t * direction for t from -1 to 1, over the two strips |x| <= 1
-  /// and |y| <= 1, and the lines of these that cut it.
+  /// The part of a side over the reference face: base + t * direction for t from -1 to 1, clipped to the two strips |x|
+  /// <= 1 and |y| <= 1, and the lines of these that clip it.
   struct Part {
     double low;
     double high;
-    std::size_t low_line;  ///< Or nowhere, where it reaches to its end.
+    std::size_t low_line;  ///< None if it extends to its end.
     std::size_t high_line;
     bool is_left;
   };
 
-  /// Two sides that lie across from each other have a direction, where they enter and leave the strips in common.
+  /// Two opposite sides have a common direction, and common parameters at the strips.
   struct Direction {
     LanePair inverse;
     std::size_t near[2];
@@ -274,7 +275,7 @@ class FaceOverFace {
     }
   };
 
-  /// Only a corner that is out of a strip is cut off by it.
+  /// A strip only clips corners that are outside of it.
   [[gnu::always_inline]] static Part part_of(const Direction& along, LanePair base, LanePairBits low_is_out,
                                              LanePairBits high_is_out) {
     const LanePair at_minus = (-1.0 - base) * along.inverse;
@@ -307,8 +308,8 @@ class FaceOverFace {
     put<3>({LanePair{-1, begin.high}, LanePair{-1, begin.low}, begin.high_line}, begin.low_line, begin.is_left);
   }
 
-  /// A side of the incident face; where it is cut, one of the reference face ends and another one starts. Without a
-  /// branch: what is not there goes nowhere.
+  /// A side of the incident face; where it is clipped, a side of the reference face ends and another one starts.
+  /// Branch-free: missing sides are stored in an unused entry.
   template <std::size_t line>
   [[gnu::always_inline]] void put(Side side, std::size_t cut_at_end, bool is_left) {
     const std::size_t from = is_left ? side.before : nowhere;
@@ -334,7 +335,7 @@ class FaceOverFace {
     ended_ |= 1U << line;
   }
 
-  /// Those that lie in the incident face, farther from its sides than the slack: two of the reference face's meet
+  /// Those that lie in the incident face, farther from its sides than the slack: two sides of the reference face meet
   /// there.
   [[gnu::always_inline]] void find_corners_of_reference() {
     const LanePair low = -1.0 - middle_;
@@ -352,7 +353,7 @@ class FaceOverFace {
     put_corner(3, low[0], high[1]);
   }
 
-  /// Whether every side ends where another one starts. Takes those of the reference face to the others.
+  /// Whether every side ends where another one starts. Adds the sides of the reference face to the others.
   [[gnu::always_inline]] bool is_closed() {
     constexpr unsigned reference = 0xf0;
     const unsigned after_ends = (whole_ends_ << 1U | whole_ends_ >> 3U) & 0xfU;
@@ -360,15 +361,15 @@ class FaceOverFace {
     return ((started_ ^ ended_) & reference) == 0 && (twice_ & reference) == 0 && after_ends == whole_starts_;
   }
 
-  /// How far above the reference face all rests on it.
+  /// The height above the reference face up to which the whole face rests on it.
   double resting_height() const {
     const double halves =
         std::min(incident_.half_right + incident_.half_up, reference_.half_right + reference_.half_up);
     return 2 * flush_ * halves;
   }
 
-  /// Leaves what is not above the reference face by more than the slack, unless all rests on it. False if that is not
-  /// all in a row.
+  /// Removes what is above the reference face by more than the slack, unless the whole face rests on it. False if that
+  /// is not contiguous.
   bool cut_top() {
     std::array<double, top_line> at_start;
     std::array<double, top_line> at_end;
@@ -412,22 +413,22 @@ class FaceOverFace {
   PairedVec normal_;
   double slack_;
   double flush_;
-  double height_ = 0;  ///< Of the middle over the reference face.
-  LanePair climb_{};   ///< Of the incident face's right and up.
-  LanePair middle_{};  ///< Of the incident face, over the reference face.
+  double height_ = 0;  ///< The height of the middle above the reference face.
+  LanePair climb_{};   ///< The slope of the incident face's right and up.
+  LanePair middle_{};  ///< The middle of the incident face, over the reference face.
   LanePair right_{};   ///< Its right and up there.
   LanePair up_side_{};
-  LanePair limit_{};         ///< Of a corner over the reference face that is not cut off.
-  LanePair limit_within_{};  ///< Of a corner of the reference face in the incident one.
+  LanePair limit_{};         ///< For a corner over the reference face that is not clipped.
+  LanePair limit_within_{};  ///< For a corner of the reference face in the incident one.
   double inverse_area_ = 0;  ///< Of right and up there.
-  std::uint32_t turns_ = 0;  ///< As places_on_faces has it.
+  std::uint32_t turns_ = 0;  ///< As in places_on_faces.
   std::array<Side, face_lines + 1> sides_{};
   unsigned left_ = 0;
   unsigned whole_starts_ = 0;  ///< Sides of the incident face whose start, or end, is its own corner.
   unsigned whole_ends_ = 0;
   unsigned started_ = 0;
   unsigned ended_ = 0;
-  unsigned twice_ = 0;  ///< Those that start in two places.
+  unsigned twice_ = 0;  ///< Those that start twice.
 };
 
 }  // namespace graze::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The points of the manifold of two oriented boxes, each rounded where it stays: what is cleared first, or copied,
-// takes as long as a quick contact. Include manifold.hpp, whose ManifoldPoint is the `Point` here.
+// The points of the manifold of two oriented boxes, each rounded at its final location: clearing or copying them takes
+// as long as a fast contact. Include manifold.hpp, whose ManifoldPoint is the `Point` here.
 #pragma once
 
 #include <bit>
@@ -16,20 +16,20 @@
 
 namespace graze::detail {
 
-/// In a function of its own: more of them at once are cleared by an instruction for long rows, which takes as long as a
-/// quick contact.
+/// A separate function: the compiler would clear several points at once by an instruction for long ranges, which takes
+/// as long as a fast contact.
 template <class Point>
 [[gnu::noinline]] Point no_point() {
   return {};
 }
 
-/// Makes points of what was found in double.
+/// Converts results in double to points.
 template <class Point>
 class ObbPoints {
  public:
   using R = decltype(Point::depth);
 
-  /// Whose coordinates are seen from `origin`; `turns` if the first of a pair is of the user's second box.
+  /// Coordinates are relative to `origin`; `turns` if the first box of the pair is the user's second box.
   [[gnu::always_inline]] ObbPoints(const PairedVec& origin, bool turns)
       : origin_(origin), takes_second_(turns ? ~0U : 0U), second_first_(LanePairBits{} - (turns ? 1 : 0)) {}
 
@@ -44,7 +44,7 @@ class ObbPoints {
   }
 
  private:
-  /// Without a branch, and without an array, which would be read otherwise than it was written.
+  /// Branch-free, and without an array, which would be read in other sizes than it was written.
   [[gnu::always_inline]] Feature one_of(const Feature& first, const Feature& second) const {
     const auto choose = [this](std::uint32_t a, std::uint32_t b) { return a ^ ((a ^ b) & takes_second_); };
     return {static_cast<FeatureKind>(
@@ -57,7 +57,7 @@ class ObbPoints {
   LanePairBits second_first_;
 };
 
-/// The chosen corners of a face over a face, one after the other.
+/// The selected corners of a clipped face, one after the other.
 template <class Point>
 class CornersInTurn {
  public:

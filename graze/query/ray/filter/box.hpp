@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first filter of a ray and a box along the axes in space, four numbers at a time. Include ray_cast.hpp.
+// The first filter of a ray and an axis-aligned 3D box, four numbers at a time. Include ray_cast.hpp.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@
 
 namespace graze::detail {
 
-/// Whether a ray hits by slabs in float; where it does, only the side that is met is left to calculate, in double: so
-/// place, t and normal are those of `ray_verdict_of`, to the bit, and the error up to its rounding to float.
+/// Decides whether a ray hits by slabs in float; if it does, only the side that is met is calculated in double: so
+/// point, t and normal are bit-identical to those of `ray_verdict_of`, and the error up to its rounding to float.
 template <class T>
 class RayBoxFilter;
 
@@ -40,7 +40,7 @@ class RayBoxFilter<float> {
 
   [[gnu::always_inline]] RayVerdict verdict() const { return slabs_.verdict(); }
 
-  /// The t of the side that is met is the largest, and the place is between all others by the margin.
+  /// The t of the side that is met is the largest, and the point is between all other sides by the margin.
   [[gnu::always_inline]] std::optional<RayHit<3, float>> hit() const {
     const Lanes direction = arranged<1, 2, 3>(four_of(ray_, 2));
     const LaneBits is_down = bit_cast<LaneBits>(direction) < 0;  // minus zero, too: its t is then minus infinity
@@ -74,7 +74,7 @@ class RayBoxFilter<double> {
         origin_(read_paired(ray.origin)),
         slope_(read_paired(ray.direction)) {
     const Lanes slope = narrow(slope_);
-    const Lanes nothing = slope * 0.0F;  // but for a slope that became infinite, which so settles nothing
+    const Lanes nothing = slope * 0.0F;  // unless a slope has become infinite, which then decides nothing
     slabs_.cross(narrow(min_ - origin_) + nothing, narrow(max_ - origin_), slope, static_cast<float>(t_max),
                  tolerance::ray_lanes<float>);
   }

@@ -18,11 +18,11 @@
 
 namespace graze::detail {
 
-/// How near a ray comes to a capsule's axis settles whether it hits, unless they are next to parallel: the nearest
-/// point of the axis to the two lines' common perpendicular, held between its ends, and the nearest point of the ray to
-/// that (Ericson, "Real-Time Collision Detection", 2005, section 5.1.9). A ray that hits from outside
-/// enters by the tube, which is a sphere as seen along the axis, if that is between the two ends, else by the sphere
-/// around the nearer end. Others are unclear.
+/// The distance between a ray and a capsule's axis decides whether it hits, unless they are nearly parallel: the
+/// nearest point of the axis to the two lines' common perpendicular, clamped to its ends, and the nearest point of the
+/// ray to that (Ericson, "Real-Time Collision Detection", 2005, section 5.1.9). A ray that hits from outside enters by
+/// the cylinder, which is a sphere when projected along the axis, if that is between the two ends, otherwise by the
+/// sphere around the nearer end. Others are unclear.
 template <Dim N, class T>
 class RayCapsuleFilter {
  public:
@@ -75,12 +75,12 @@ class RayCapsuleFilter {
 
  private:
   /// The nearest point of the ray is no farther from its origin than the capsule, so that three times its squares are
-  /// at least all, wherever the ray ends.
+  /// an upper bound, wherever the ray ends.
   [[gnu::always_inline]] double band_of(double aa) const {
     return 3 * tolerance::ray_capsule * (aa + ee_ + radius_ * radius_);
   }
 
-  /// The whole line misses the tube, however long that is, or all is behind the ray: told without a division.
+  /// The whole line misses the infinite cylinder, or all is behind the ray: decided without a division.
   [[gnu::always_inline]] bool passes_by(double da, double aa) const {
     const double squared_radius = radius_ * radius_;
     const double band = band_of(aa);
@@ -92,12 +92,13 @@ class RayCapsuleFilter {
            ((foremost < 0) & (foremost * foremost > dd_ * (squared_radius + band)));
   }
 
-  /// Between zero and a bound; most compilers make no branch of it.
+  /// Clamped to between zero and a bound; most compilers make it branch-free.
   [[gnu::always_inline]] static double held(double number, double most) {
     return std::min(std::max(number, 0.0), most);
   }
 
-  /// Of a ray that hits, where, unless it begins inside or nearly so, or enters a tube that it runs nearly along.
+  /// For a ray that hits: where, unless it begins inside or nearly so, or enters a cylinder to which it is nearly
+  /// parallel.
   [[gnu::always_inline]] void enter() {
     const Paired<N> beside_origin = a_ + edge_ * held(-ea_ * per_ee_, 1);
     if (!(dot(beside_origin, beside_origin) - radius_ * radius_ > band_)) return;
@@ -115,7 +116,7 @@ class RayCapsuleFilter {
     }
   }
 
-  /// Where a line through zero enters a sphere; nothing is settled if it nearly misses it.
+  /// Where a line through zero enters a sphere; undecided if it nearly misses it.
   [[gnu::always_inline]] void pass(Paired<N> center, Paired<N> direction, double per_whole) {
     const double middle = dot(center, direction) * per_whole;
     const Paired<N> off = center - direction * middle;
@@ -128,7 +129,7 @@ class RayCapsuleFilter {
 
   Paired<N> origin_;
   Paired<N> direction_;
-  Paired<N> a_;  ///< As seen from the ray's origin.
+  Paired<N> a_;  ///< Relative to the ray's origin.
   Paired<N> edge_;
   double radius_;
   double t_max_;

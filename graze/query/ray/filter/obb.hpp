@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first filter of a ray and an oriented box in space, four numbers at a time. Include ray_cast.hpp.
+// The first filter of a ray and an oriented 3D box, four numbers at a time. Include ray_cast.hpp.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@
 
 namespace graze::detail {
 
-/// An oriented box and a ray as lanes, the box's center as the ray's origin sees it, its axes by rows, so that lane i
+/// An oriented box and a ray as lanes: the box's center relative to the ray's origin, its axes as rows, so that lane i
 /// of a sum of rows belongs to axis i.
 struct RayAtObb {
   LaneMatrix rows;
@@ -42,10 +42,10 @@ struct RayAtObb {
           narrow(read_paired(ray.direction))};
 }
 
-/// The box's own axes see the slabs in float. Axes are taken to be orthonormal, which those of a valid box are up to
-/// tolerance::orthonormal: that moves no place by more than the margin, and errors of the slopes move none by more
-/// before the ray is past the box. Where it hits, one face's plane is left to be met, in double and by its true normal,
-/// which is at right angles to the other two axes.
+/// Slabs in float, in the box's own axes. Axes are assumed to be orthonormal, which those of a valid box are up to
+/// tolerance::orthonormal: that moves no point by more than the margin, and nor do errors of the slopes before the ray
+/// has passed the box. If it hits, only the intersection with one face's plane is left, in double and with its true
+/// normal, which is perpendicular to the other two axes.
 template <class T>
 class RayObbFilter {
  public:
@@ -54,7 +54,8 @@ class RayObbFilter {
     const Lanes center = combined(seen.rows, seen.center);
     slope_ = combined(seen.rows, seen.direction);
     const float slopes = sum_of_three(magnitude(slope_));
-    const bool is_moderate = (slopes > 0x1p-60F) & (slopes < 0x1p60F);  // of slower rays rounding is all that is left
+    // for smaller slopes nothing is left but rounding
+    const bool is_moderate = (slopes > 0x1p-60F) & (slopes < 0x1p60F);
     if (!is_moderate) return;
     slabs_.cross(center - seen.half, center + seen.half, slope_, static_cast<float>(t_max),
                  tolerance::ray_orthonormality_error);

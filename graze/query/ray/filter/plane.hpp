@@ -19,12 +19,12 @@
 
 namespace graze::detail {
 
-/// Where a ray begins over a plane and how fast it comes nearer, in units of the normal, by plain sums in double. With
-/// h and c for the sums of the magnitudes of their terms, the sums are wrong by under 4 epsilon of those, and where the
-/// ray ends, at t or before 2 t, by 4 epsilon of h + 2 c t, which is less than 2^-33 h for a ray that comes nearer by
-/// 2^-10 c at least: what is farther from the plane than that at both ends is more than the careful way calls touching.
-/// All else is unclear, flat rays among it. There is one branch for each verdict and none for its conditions, since of
-/// where random rays begin and run to, none can be foreseen.
+/// The height of a ray's origin above a plane and its speed of approach, in units of the normal, by plain sums in
+/// double. With h and c as the sums of the magnitudes of their terms, the sums are off by less than 4 epsilon of those,
+/// and where the ray ends, at t or before 2 t, by 4 epsilon of h + 2 c t, which is less than 2^-33 h for a ray that
+/// approaches by at least 2^-10 c: what is farther from the plane than that at both ends exceeds what the precise
+/// algorithm calls touching. Everything else is unclear, including rays at small angles. There is one branch for each
+/// verdict and none for its conditions, because those of random rays are unpredictable.
 template <Dim N, class T>
 class RayPlaneFilter {
  public:
@@ -35,7 +35,7 @@ class RayPlaneFilter {
     const LanePair height_and_climb = sums.value - offset;
     sizes_ = sums.magnitude + magnitude(offset);
     const LanePair slack = sizes_ * LanePair{tolerance::ray_plane, least_slope};
-    // Of each comparison alone: vectors of several joined by & are taken apart by GCC, and made anew.
+    // Each comparison by itself: GCC splits vectors joined by & into scalars and assembles them again.
     const LanePairBits is_far = magnitude(height_and_climb) > slack;
     const LanePairBits is_large = sizes_ > least_size;
     const LanePairBits is_small = sizes_ < 1 / least_size;
@@ -75,8 +75,8 @@ class RayPlaneFilter {
   Paired<N> direction_;
   double squared_;
   LanePair sizes_;   ///< The sums of the magnitudes of the terms of the height and of the climb.
-  double height_;    ///< How far the ray begins over the plane.
-  double approach_;  ///< How much nearer it comes with each t.
+  double height_;    ///< The height of the ray's origin above the plane.
+  double approach_;  ///< The decrease of the height per unit of t.
   bool is_hit_;
   bool is_missed_;
 };
@@ -86,7 +86,7 @@ template <Dim N, class T>
   return {plane, ray, t_max, false};
 }
 
-/// A ray from outside meets the boundary; whatever else a ray does, is unclear.
+/// A ray from outside meets the boundary; everything else is unclear.
 template <Dim N, class T>
 [[gnu::always_inline]] inline RayPlaneFilter<N, T> quick_cast(const HalfSpace<N, T>& solid, const Ray<N, T>& ray,
                                                               T t_max) {

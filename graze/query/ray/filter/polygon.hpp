@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first filters of a ray and a segment, a triangle or a polygon in the plane. Include ray_cast.hpp.
+// The first filters of a ray and a segment, a triangle or a polygon in 2D. Include ray_cast.hpp.
 #pragma once
 
 #include <algorithm>
@@ -24,9 +24,9 @@
 
 namespace graze::detail {
 
-/// A ray and edges of the plane, in double. The line of the ray crosses an edge whose ends are on either side of it,
-/// each by more than tolerance::ray_side of the sizes: many times what the careful way leaves to `relation`. Where, is
-/// clear of both ends of the ray by as much.
+/// A ray and edges in 2D, in double. The line of the ray crosses an edge whose ends are on either side of it, each by
+/// more than tolerance::ray_side of the sizes: many times what the precise algorithm leaves to `relation`. The
+/// intersection is separated from both ends of the ray by as much.
 template <class T>
 class RayEdgeFilter {
  public:
@@ -37,19 +37,19 @@ class RayEdgeFilter {
 
   [[gnu::always_inline]] Vec<2, double> seen(const Vec<2, T>& corner) const { return wide<2, T>(corner) - origin_; }
 
-  /// On which side of the ray's line a point is that its origin sees.
+  /// The signed side of the ray's line that a point is on, relative to the ray's origin.
   [[gnu::always_inline]] double side_of(const Vec<2, double>& seen) const { return cross_2d(direction_, seen); }
 
-  /// What a side must be more than for points as far along both axes together as `size`.
+  /// What a side must exceed for points whose coordinates have the sum `size`.
   [[gnu::always_inline]] double band(double size) const {
     const double slopes = std::fabs(direction_.x) + std::fabs(direction_.y);
     const bool is_moderate = (slopes > 0x1p-400) & (slopes < 0x1p400) & (size > 0x1p-400) & (size < 0x1p400);
     return is_moderate ? tolerance::ray_side * slopes * size : std::numeric_limits<double>::infinity();
   }
 
-  /// Settles a ray whose line is known to cross an edge. With t = height / climb the edge's line is met at height zero.
-  /// What is clear of it at twice the t is at all later ones. `far` is what the rounding of `relation` is relative to,
-  /// beside the size.
+  /// Decides a ray whose line is known to cross an edge. At t = height / climb the height above the edge's line is
+  /// zero. What is certain at twice that t is certain at all later ones. `far` is what the rounding of `relation` is
+  /// relative to, besides the size.
   [[gnu::always_inline]] RayVerdict cross(const Vec<2, double>& from, const Vec<2, double>& to, double size,
                                           double far) {
     edge_ = to - from;
@@ -67,7 +67,7 @@ class RayEdgeFilter {
     return RayVerdict::unclear;
   }
 
-  /// Whether an edge that is missed is behind the ray's origin, rather than past its end.
+  /// Whether an edge that is missed is behind the ray's origin, rather than beyond its end.
   [[gnu::always_inline]] bool is_behind() const { return is_behind_; }
 
   [[gnu::always_inline]] std::optional<RayHit<2, T>> hit() const {
@@ -89,7 +89,8 @@ class RayEdgeFilter {
   bool is_behind_ = false;
 };
 
-/// A ray that passes beside both ends of a segment on the same side misses it; any other crosses it, if in time.
+/// A ray that passes both ends of a segment on the same side misses it; any other crosses it, if it does not end
+/// before.
 template <class T>
 class RaySegmentFilter {
  public:
@@ -134,11 +135,11 @@ template <class T>
 }
 
 /// The line of a ray enters a polygon by the edge that begins on its left and ends on its right, and leaves it by the
-/// one that does the opposite; no other edge is looked at.
+/// one that does the opposite; no other edge is evaluated.
 template <class T>
 class RayPolygonFilter {
  public:
-  static constexpr std::size_t most_corners = 64;  ///< Of which sides have a bit each.
+  static constexpr std::size_t most_corners = 64;  ///< Each side has a bit.
 
   /// In counter-clockwise order.
   [[gnu::always_inline]] RayPolygonFilter(const Vec<2, T>* corners, std::size_t count, const Ray<2, T>& ray, T t_max,
@@ -172,7 +173,7 @@ class RayPolygonFilter {
   [[gnu::always_inline]] std::optional<RayHit<2, T>> hit() const { return edge_.hit(); }
 
  private:
-  /// Bit i of `left` says that corner i is on the left of the ray's line; all are clear of it.
+  /// Bit i of `left` is set if corner i is on the left of the ray's line; all are off it by a margin.
   [[gnu::always_inline]] void settle(const Vec<2, T>* corners, std::size_t count, double size, double far,
                                      std::uint64_t left) {
     const std::uint64_t next = left >> 1U | left << (count - 1);
@@ -187,7 +188,7 @@ class RayPolygonFilter {
       return;
     }
     verdict_ = cross(entering);
-    // Entered before the ray begins, and missed only if it is left before, too.
+    // The line enters before the ray begins; it is missed only if the line also leaves before.
     if (verdict_ == RayVerdict::misses && edge_.is_behind()) {
       const bool is_left = cross(~left & next & all) == RayVerdict::misses && edge_.is_behind();
       if (!is_left) verdict_ = RayVerdict::unclear;
@@ -205,7 +206,7 @@ template <class T>
   return {corners.data(), corners.size(), ray, t_max, sum_abs(wide<2, T>(ray.origin))};
 }
 
-/// In counter-clockwise order by their area; of one without, either order is as good.
+/// In counter-clockwise order according to their area; if that is zero, either order will do.
 template <class T>
 [[gnu::always_inline]] inline RayPolygonFilter<T> quick_cast(const Triangle<2, T>& triangle, const Ray<2, T>& ray,
                                                              T t_max) {

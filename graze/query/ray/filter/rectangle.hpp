@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first filters of a ray and a box in the plane, along the axes or oriented. Include ray_cast.hpp.
+// The first filters of a ray and a 2D box, axis-aligned or oriented. Include ray_cast.hpp.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 
 namespace graze::detail {
 
-/// Two slabs and a ray from zero, in double, as RaySlabFilter has three in float: with all sides moved out and in by
-/// tolerance::ray_side of their size.
+/// Two slabs and a ray from zero, in double, as RaySlabFilter has three in float: with all sides moved outwards and
+/// inwards by tolerance::ray_side of their size.
 class RayTwoSlabs {
  public:
   [[gnu::always_inline]] void cross(LanePair low, LanePair high, LanePair slope, double t_max, double latest) {
@@ -105,7 +105,7 @@ template <class T>
   return {box, ray, t_max};
 }
 
-/// The places on the axes are found with their inverse, as in ray_verdict_of: each row is at right angles to the other
+/// Coordinates are found with the inverse of the axes, as in ray_verdict_of: each row is perpendicular to the other
 /// axis.
 template <class T>
 class RayOrientedRectangleFilter {
@@ -146,7 +146,7 @@ class RayOrientedRectangleFilter {
  private:
   Pair2d origin_;
   Pair2d direction_;
-  LanePair rows_x_;  ///< The first numbers of both rows of the inverse, but for its determinant, and the second ones.
+  LanePair rows_x_;  ///< The first numbers of both rows of the inverse, without its determinant, and the second ones.
   LanePair rows_y_;
   LanePair low_;
   LanePair high_;

@@ -11,20 +11,21 @@
 
 namespace graze::detail {
 
-/// Between which t a ray from zero is within three slabs, with all sides moved out and moved in by a margin: more than
-/// the calculation is wrong by, which is also far more than the slack of ray/verdict_box.hpp. Where both say the same,
-/// and the same side is the last to be crossed, the ray hits. Others, and rays that start inside, are unclear.
+/// The range of t for which a ray from zero is within three slabs, with all sides moved outwards and inwards by a
+/// margin: more than the error of the calculation, which also far exceeds the slack of ray/verdict_box.hpp. If both
+/// give the same answer, and the same side is crossed last, the ray hits. Others, and rays that start inside, are
+/// unclear.
 ///
-/// Across an axis along which the ray does not move, its inverse is infinite, and it is between the sides always or
-/// never. So it is taken to be where the inverse overflows: then it takes at least 2^126 times the margin to cross a
-/// side, and nothing is said of a t that comes near that.
+/// For an axis along which the ray does not move, its inverse is infinite, and it is between the sides always or never.
+/// The same is assumed if the inverse overflows: it then takes at least 2^126 times the margin to cross a side, and no
+/// t close to that is ever decided.
 ///
-/// Each t is the rounded product of a place and an inverse that are right up to the margin. To round a product leaves
-/// order as it is, even where it underflows or overflows, but may make two of them equal: so nothing that is equal
-/// settles a ray. The same holds of a t_max that is rounded to float.
+/// Each t is the rounded product of a coordinate and an inverse that are correct up to the margin. Rounding a product
+/// is monotonic, even if it underflows or overflows, but may make two of them equal: so equal values never decide a
+/// ray. The same is true for a t_max that is rounded to float.
 class RaySlabFilter {
  public:
-  /// The sides as the ray's origin sees them and the finite slopes, all of which may be rounded to float, in the first
+  /// The sides relative to the ray's origin and the finite slopes, all of which may be rounded to float, in the first
   /// three lanes. The margin is relative to the sides' magnitudes.
   [[gnu::always_inline]] void cross(Lanes low, Lanes high, Lanes slope, float t_max, float relative_margin) {
     const Lanes inverse = Lanes{1, 1, 1, 1} / slope;

@@ -17,8 +17,8 @@
 
 namespace graze::detail {
 
-/// A ray that misses a sphere is told by three dot products. Of one that hits from outside and clearly before its end,
-/// place and normal are calculated as SpherePassage does; all bands are those of ray_verdict_of. Others are unclear.
+/// Three dot products decide that a ray misses a sphere. For a ray that hits from outside and clearly before its end,
+/// point and normal are calculated as in SpherePassage; all bands are those of ray_verdict_of. Others are unclear.
 template <Dim N, class T>
 class RaySphereFilter {
  public:
@@ -66,7 +66,7 @@ class RaySphereFilter {
   }
 
  private:
-  Paired<N> center_;  ///< As seen from the ray's origin.
+  Paired<N> center_;  ///< Relative to the ray's origin.
   Paired<N> direction_;
   double radius_;
   Paired<N> origin_;

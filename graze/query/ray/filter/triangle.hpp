@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first filter of a ray and a triangle in space and in float, three edges at a time. Include ray_cast.hpp.
+// The first filter of a ray and a 3D triangle, in float, three edges at a time. Include ray_cast.hpp.
 #pragma once
 
 #include <algorithm>
@@ -22,15 +22,15 @@
 
 namespace graze::detail {
 
-/// On which side of each edge the ray's line passes, as TriangleBesidePath of ray/verdict_2d.hpp has it: direction .
-/// (corner x edge), with corners as the ray's origin sees them. Each number of a lane is of one corner or the edge that
-/// begins there. What passes on both sides by more than rounding in float misses; that is far more than what the
-/// careful way leaves to `relation`.
+/// The side of each edge on which the ray's line passes, as in TriangleBesidePath of ray/verdict_2d.hpp: direction .
+/// (corner x edge), with corners relative to the ray's origin. Each number of a lane belongs to one corner or to the
+/// edge that begins there. If the line passes on both sides by more than rounding in float, it misses; that is far more
+/// than what the precise algorithm leaves to `relation`.
 ///
-/// What passes all edges on one side by as much goes through the triangle, if its plane is met in time. Where, is
-/// calculated in double as in `ray_verdict_of`: place, t and normal are the same to the bit, and the error up to its
-/// rounding to float. Needles, along whose plane more care is needed, and rays at a small angle are unclear, as is all
-/// else.
+/// If it passes all edges on one side by as much, it goes through the triangle, provided that it reaches its plane in
+/// time. The intersection is calculated in double as in `ray_verdict_of`: point, t and normal are bit-identical, and
+/// the error up to its rounding to float. Needles, whose plane needs more care, rays at a small angle and everything
+/// else are unclear.
 class RayTriangleFilter {
  public:
   [[gnu::always_inline]] RayTriangleFilter(const Triangle<3, float>& triangle, const Ray<3, float>& ray, float t_max)
@@ -60,7 +60,7 @@ class RayTriangleFilter {
     if ((least < -band) & (most > band)) {
       verdict_ = RayVerdict::misses;
     } else if ((least > band) | (most < -band)) {
-      const float two_edges = edges[0] + edges[2];  // all that ray_verdict_of looks at
+      const float two_edges = edges[0] + edges[2];  // everything that ray_verdict_of evaluates
       error_ = tolerance::rounding * static_cast<double>(size + two_edges);
       cross_plane(triangle, size, t_max);
     }
@@ -77,7 +77,7 @@ class RayTriangleFilter {
   }
 
  private:
-  /// Whether the ray meets the plane in time. The slack at its ends is four times that of ray_verdict_of.
+  /// Whether the ray reaches the plane in time. The slack at its ends is four times that of ray_verdict_of.
   [[gnu::always_inline]] void cross_plane(const Triangle<3, float>& triangle, float size, float t_max) {
     const PairedVec origin(ray_.origin);
     const PairedVec direction(ray_.direction);
@@ -87,7 +87,7 @@ class RayTriangleFilter {
     normal_ = cross(first, second);
     climb_ = dot(normal_, direction);
     const double whole = dot(normal_, normal_);
-    constexpr double least_sine_of_edges = 1.0 / 8;  // as cross_of_directions has it
+    constexpr double least_sine_of_edges = 1.0 / 8;  // as in cross_of_directions
     const bool is_wide = whole > least_sine_of_edges * least_sine_of_edges * dot(first, first) * dot(second, second);
     constexpr double least_sine_squared = 0x1p-20;
     const bool is_steep = climb_ * climb_ > least_sine_squared * (whole * dot(direction, direction));
@@ -102,7 +102,7 @@ class RayTriangleFilter {
     if (to_start < -slack || to_latest < -slack) verdict_ = RayVerdict::misses;
   }
 
-  /// Four of the nine floats that a triangle is.
+  /// Four of the nine floats of a triangle.
   [[gnu::always_inline]] static Lanes read(const Triangle<3, float>& triangle, std::size_t first) {
     static_assert(sizeof(triangle) == 9 * sizeof(float) && std::is_trivially_copyable_v<Triangle<3, float>>);
     Lanes lanes;
@@ -113,7 +113,7 @@ class RayTriangleFilter {
   const Ray<3, float>& ray_;
   RayVerdict verdict_ = RayVerdict::unclear;
   double error_ = 0;
-  // The plane that is met, where it is.
+  // The intersection with the plane.
   PairedVec normal_{LanePair{}, 0};
   double climb_ = 0;
   double t_ = 0;
