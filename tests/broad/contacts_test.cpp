@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many manifolds at once are those of single calls: for every pair of types, on cases of which contacts are hard.
+// The manifolds of a batch are those of single calls: for every pair of types, on hard cases.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@
 namespace graze::contacts_test {
 namespace {
 
-/// The shapes of the cases two by two, and candidates: each two, and each with the next two, which rarely meet.
+/// The shapes of the cases in twos, and candidates: each two, and each with the next two, which rarely meet.
 template <Dim N, class T>
 struct Cases {
   std::vector<AnyShape<N, T>> shapes;
@@ -37,7 +37,7 @@ struct Cases {
     test::for_each_case<N, T>(kind, std::max<std::size_t>(4, test::number_of_cases(4)), add, [] { return true; });
     for (std::uint32_t i = 0; i + 3 < shapes.size(); i += 2) {
       for (const std::uint32_t step : {1U, 2U, 3U}) candidates.push_back({i, i + step});
-      candidates.push_back({i + 1, i});  // the other way round, too
+      candidates.push_back({i + 1, i});  // in the other order, too
     }
   }
 
@@ -85,7 +85,7 @@ TYPED_TEST(Contacts, OfShapesKnownToTouchAreThoseOfSingleCallsToo) {
       found[i].pair = expected[i].pair;
       pairs[i] = {{&cases.shapes[found[i].pair.a], &cases.shapes[found[i].pair.b]}, &found[i].manifold};
     }
-    EXPECT_GT(pairs.size(), 256U);  // more than a kernel takes in one go
+    EXPECT_GT(pairs.size(), 256U);  // more than a kernel's batch
     detail::contacts_of<N, T>(pairs);
     EXPECT_TRUE(found == expected);
   }

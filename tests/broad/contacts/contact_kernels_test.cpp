@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What kernels write of spheres, capsules and boxes is what single calls say, to the bit and on every instruction set;
-// and they leave few pairs, so that the comparison is one.
+// The manifolds that kernels write for 3D spheres, capsules and boxes are bit-identical to those of single calls, with
+// every instruction set; and the kernels leave few pairs, so that the comparison is meaningful.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -46,10 +46,10 @@ using TurnedBox = Obb<3, T>;
 template <class A, class B>
 using PairsOf = std::vector<std::pair<A, B>>;
 
-/// Whether this set of instructions has a kernel: those with vectors of four doubles or more.
+/// Whether there is a kernel for this instruction set: it must have vectors of at least four doubles.
 bool has_kernel([[maybe_unused]] std::int64_t target) {
 #if HWY_ARCH_X86
-  return target <= HWY_AVX2;  // a lower bit is a better set
+  return target <= HWY_AVX2;  // better sets have lower bits
 #else
   return false;
 #endif
@@ -66,7 +66,7 @@ constexpr PrimitiveKind kind_of() {
   return is_a<Obb, B> ? PrimitiveKind::sphere_obb : PrimitiveKind::sphere_sphere;
 }
 
-/// As kernels want it, of the manifold of (a, b), or the other way round.
+/// A pair in the order that kernels require; its manifold is that of (a, b), or of (b, a) if swapped.
 template <class T, class A, class B>
 PrimitivesToContact<3, T> to_contact(const A& a, const B& b, bool other_way, Manifold<3, T>& manifold) {
   const auto* first = reinterpret_cast<const T*>(&a);
@@ -78,7 +78,7 @@ PrimitivesToContact<3, T> to_contact(const A& a, const B& b, bool other_way, Man
   return {first, second, other_way, &manifold};
 }
 
-/// Compares all that a kernel writes with single calls. Returns how many pairs it leaves.
+/// Compares everything that a kernel writes with single calls. Returns the number of pairs it leaves.
 template <class T, class A, class B>
 std::size_t left_of(const PairsOf<A, B>& drawn, const std::string& where) {
   std::vector<Manifold<3, T>> found(drawn.size());
@@ -106,7 +106,7 @@ std::size_t left_of(const PairsOf<A, B>& drawn, const std::string& where) {
   return left.size();
 }
 
-/// On every set of instructions; and leaves no more than this share, where there is a kernel.
+/// With every instruction set; at most this share may be left, if there is a kernel.
 template <class T, class A, class B>
 void expect_single_calls(const PairsOf<A, B>& drawn, double most_left) {
   for (const std::int64_t target : test::simd_targets()) {
@@ -119,15 +119,15 @@ void expect_single_calls(const PairsOf<A, B>& drawn, double most_left) {
 
 enum class Sort { random, grid, scaled, level };
 
-/// Draws shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide;
-/// of any size; or with axes that are all but parallel.
+/// Draws shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide; of any size;
+/// or with nearly parallel axes.
 class Drawer {
  public:
   using V3 = Vec<3, double>;
 
   Drawer(std::uint32_t seed, Sort sort) : random_(seed), sort_(sort) {}
 
-  /// Those that meet or touch.
+  /// Shapes that overlap or touch.
   template <class A, class B>
   PairsOf<A, B> many(std::size_t count) {
     PairsOf<A, B> drawn;
@@ -165,7 +165,7 @@ class Drawer {
     const V3 half = abs(vector(0.8));
     box = {Vec<3, T>(center - half), Vec<3, T>(center + half)};
   }
-  /// Its axes are as orthonormal as T has them, or less.
+  /// Its axes are orthonormal up to the rounding of T, or less precisely.
   template <class T>
   void draw(TurnedBox<T>& box) {
     V3 axis(number(-1, 1), number(-1, 1), 2);
@@ -179,7 +179,7 @@ class Drawer {
   double scale_ = 1;
 };
 
-/// `check(pairs)` of all kinds.
+/// Calls `check(pairs)` for all kinds.
 template <class T, class Check>
 void for_each_kind(Drawer drawer, std::size_t count, const Check& check) {
   check(drawer.many<Ball<T>, Ball<T>>(count));
@@ -196,7 +196,7 @@ template <class T>
 void expect_most_taken() {
   for_each_kind<T>(Drawer(5, Sort::random), 1000, [](const auto& drawn) {
     ASSERT_EQ(drawn.size(), 1000U);
-    expect_single_calls<T>(drawn, 0.1);  // as rods that are less than seven degrees from parallel
+    expect_single_calls<T>(drawn, 0.1);  // e.g. rods that are less than seven degrees from parallel
   });
 }
 
@@ -205,7 +205,7 @@ TEST(ContactKernels, LeaveHardlyAnyPairs) {
   expect_most_taken<double>();
 }
 
-/// The last group is not full, and there may be none.
+/// The last group may be incomplete, and there may be no pairs.
 TEST(ContactKernels, TakeAnyNumberOfPairs) {
   for (std::size_t count = 0; count < 20; ++count) {
     for_each_kind<double>(Drawer(7, Sort::random), count,
@@ -221,7 +221,7 @@ RC_GTEST_PROP(ContactKernels, SayOfAnyShapesWhatSingleCallsDo, ()) {
   }
 }
 
-/// Where halves are rounded, and where sums overflow.
+/// Cases where halves are rounded, and where sums overflow.
 TEST(ContactKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
   const double least = std::numeric_limits<double>::denorm_min();
   const double most = 0.75 * std::numeric_limits<double>::max();
@@ -237,10 +237,10 @@ TEST(ContactKernels, TakeBoxesWithTheLeastAndTheLargestNumbers) {
       if (relation(a, b) != Relation::apart) drawn.emplace_back(a, b);
     }
   }
-  expect_single_calls<double>(drawn, 0.1);  // of all but the two that are too deep for a number
+  expect_single_calls<double>(drawn, 0.1);  // all but the two whose depth overflows
 }
 
-/// Whoever is named first, among pairs of other kinds, and more than a kernel takes in one go.
+/// In any order, among pairs of other kinds, and more than a kernel's batch.
 TEST(ContactKernels, ServeContacts) {
   using Any = AnyShape<3, double>;
   Drawer drawer(11, Sort::random);
@@ -270,7 +270,7 @@ TEST(ContactKernels, ServeContacts) {
     add(boxes[i].second, boxes[(i + 1) % 500].second);
   }
   const auto found = contacts(std::span<const Any>(shapes), candidates, {});
-  ASSERT_GE(found.size(), 3500U);  // boxes among themselves need not touch
+  ASSERT_GE(found.size(), 3500U);  // pairs of two boxes need not touch
   for (const auto& one : found) {
     EXPECT_TRUE(test::same_manifolds(one.manifold, manifold(shapes[one.pair.a], shapes[one.pair.b])));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of an oriented box and one along the axes are those of single calls, to the bit and on
-// every instruction set; and hardly any are left to these.
+// The manifolds of many pairs of an oriented box and an AABB are bit-identical to those of single calls, with every
+// instruction set; and hardly any pair is left to single calls.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -30,12 +30,12 @@ using V3 = Vec<3, double>;
 
 enum class Sort { random, grid, stacked, resting, flat, far };
 
-/// Draws a box along the axes and an oriented one, of about unit size.
+/// Draws an AABB and an oriented box, of about unit size.
 class MixedDrawer {
  public:
   MixedDrawer(std::uint32_t seed, Sort sort) : random_(seed), sort_(sort) {}
 
-  /// Two by two, either first; those that meet or touch.
+  /// Pairs in either order that overlap or touch.
   template <class T>
   std::vector<AnyShape<3, T>> many(std::size_t count) {
     std::vector<AnyShape<3, T>> drawn;
@@ -61,7 +61,7 @@ class MixedDrawer {
   }
   V3 vector(double size) { return V3(number(-size, size), number(-size, size), number(-size, size)); }
 
-  /// On the other one, if they are stacked.
+  /// One on the other, if they are stacked.
   template <class T>
   Obb<3, T> turned_box(const V3& below, const V3& half_below) {
     V3 half = abs(vector(0.8));
@@ -87,7 +87,7 @@ class MixedDrawer {
   Sort sort_;
 };
 
-/// How many pairs are left to single calls.
+/// The number of pairs that are left to single calls.
 template <class T>
 std::size_t left_of(const std::vector<AnyShape<3, T>>& shapes, const std::string& where) {
   const std::size_t count = shapes.size() / 2;
@@ -113,16 +113,16 @@ std::size_t left_of(const std::vector<AnyShape<3, T>>& shapes, const std::string
   return left_count;
 }
 
-/// Whether this set of instructions has kernels: those with vectors of four doubles or more.
+/// Whether there are kernels for this instruction set: it must have vectors of at least four doubles.
 bool has_kernels([[maybe_unused]] std::int64_t target) {
 #if HWY_ARCH_X86
-  return target <= HWY_AVX2;  // a lower bit is a better set
+  return target <= HWY_AVX2;  // better sets have lower bits
 #else
   return false;
 #endif
 }
 
-/// On every set of instructions; and leaves no more than this share, where there are kernels.
+/// With every instruction set; at most this share may be left, if there are kernels.
 template <class T>
 void expect_single_calls(const std::vector<AnyShape<3, T>>& shapes, double most_left) {
   for (const std::int64_t target : test::simd_targets()) {
@@ -151,7 +151,7 @@ TEST(MixedPairs, AreNearlyAllTakenByKernels) {
   }
 }
 
-/// The last few are not as many as are taken at once, and there may be none.
+/// The last batch may be incomplete, and there may be no pairs.
 TEST(MixedPairs, MayBeAnyNumber) {
   for (const std::size_t count : {0U, 1U, 2U, 63U, 64U, 65U, 255U}) {
     expect_single_calls<float>(MixedDrawer(7, Sort::random).many<float>(count), 1);
@@ -168,7 +168,7 @@ TEST(MixedPairs, AreNoOthers) {
   for (const auto& pair : {ShapePair<3, float>{&box, &box}, {&turned, &turned}, {&sphere, &turned}, {&box, &sphere}}) {
     EXPECT_FALSE(pairs.add(pair, &found, 0));
   }
-  pairs.contact([](std::size_t) { FAIL() << "there is none"; });
+  pairs.contact([](std::size_t) { FAIL() << "there is no pair"; });
 }
 
 RC_GTEST_PROP(MixedPairs, AreWhatSingleCallsSay, ()) {

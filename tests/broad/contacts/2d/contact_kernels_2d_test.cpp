@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What kernels write of spheres, capsules and boxes in the plane is what single calls say, to the bit and on every
-// instruction set; and they leave few pairs, so that the comparison is one.
+// The manifolds that kernels write for 2D spheres, capsules and boxes are bit-identical to those of single calls, with
+// every instruction set; and the kernels leave few pairs, so that the comparison is meaningful.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -45,10 +45,10 @@ using TurnedBox = Obb<2, T>;
 template <class A, class B>
 using PairsOf = std::vector<std::pair<A, B>>;
 
-/// Whether this set of instructions has kernels: those with vectors of four doubles or more.
+/// Whether there are kernels for this instruction set: it must have vectors of at least four doubles.
 bool has_kernels([[maybe_unused]] std::int64_t target) {
 #if HWY_ARCH_X86
-  return target <= HWY_AVX2;  // a lower bit is a better set
+  return target <= HWY_AVX2;  // better sets have lower bits
 #else
   return false;
 #endif
@@ -67,7 +67,7 @@ constexpr Kind2d kind_of() {
   return is_a<Aabb, B> ? Kind2d::obb_aabb : Kind2d::obb_capsule;
 }
 
-/// As kernels want it, of the manifold of (a, b), or the other way round.
+/// A pair in the order that kernels require; its manifold is that of (a, b), or of (b, a) if swapped.
 template <class T, class A, class B>
 PrimitivesToContact<2, T> to_contact(const A& a, const B& b, bool other_way, Manifold<2, T>& manifold) {
   const auto* first = reinterpret_cast<const T*>(&a);
@@ -79,7 +79,7 @@ PrimitivesToContact<2, T> to_contact(const A& a, const B& b, bool other_way, Man
   return {first, second, other_way, &manifold};
 }
 
-/// Compares all that a kernel writes with single calls. Returns how many pairs it leaves.
+/// Compares everything that a kernel writes with single calls. Returns the number of pairs it leaves.
 template <class T, class A, class B>
 std::size_t left_of(const PairsOf<A, B>& drawn, const std::string& where) {
   std::vector<Manifold<2, T>> found(drawn.size());
@@ -107,7 +107,7 @@ std::size_t left_of(const PairsOf<A, B>& drawn, const std::string& where) {
   return left.size();
 }
 
-/// On every set of instructions; and leaves no more than this share, where there are kernels.
+/// With every instruction set; at most this share may be left, if there are kernels.
 template <class T, class A, class B>
 void expect_single_calls(const PairsOf<A, B>& drawn, double most_left) {
   for (const std::int64_t target : test::simd_targets()) {
@@ -120,13 +120,13 @@ void expect_single_calls(const PairsOf<A, B>& drawn, double most_left) {
 
 enum class Sort { random, grid, scaled, level, far };
 
-/// Draws shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide;
-/// of any size; with sides that are all but parallel; or far away.
+/// Draws shapes of about unit size near the origin; on a grid, so that ends, centers and sides coincide; of any size;
+/// with nearly parallel sides; or far away.
 class Drawer {
  public:
   Drawer(std::uint32_t seed, Sort sort) : random_(seed), sort_(sort) {}
 
-  /// Those that meet or touch.
+  /// Shapes that overlap or touch.
   template <class A, class B>
   PairsOf<A, B> many(std::size_t count) {
     PairsOf<A, B> drawn;
@@ -172,7 +172,7 @@ class Drawer {
     const V2 half = abs(vector(0.8));
     box = {Vec<2, T>(center - half), Vec<2, T>(center + half)};
   }
-  /// Its axes are as orthonormal as T has them, or less; and either way round.
+  /// Its axes are orthonormal up to the rounding of T, or less precisely; right- or left-handed.
   template <class T>
   void draw(TurnedBox<T>& box) {
     Mat<2, T> axes(rotation_matrix(angle()));
@@ -187,7 +187,7 @@ class Drawer {
   double scale_ = 1;
 };
 
-/// `check(pairs)` of all kinds.
+/// Calls `check(pairs)` for all kinds.
 template <class T, class Check>
 void for_each_kind(Drawer drawer, std::size_t count, const Check& check) {
   check(drawer.many<Ball<T>, Ball<T>>(count));
@@ -215,7 +215,7 @@ TEST(ContactKernels2d, LeaveHardlyAnyPairs) {
   expect_most_taken<double>();
 }
 
-/// A box on a box, tilted by next to nothing and sunk in by less than that makes of depth.
+/// A box on a box, slightly tilted, with a depth smaller than the effect of the tilt.
 TEST(ContactKernels2d, TakeBoxesThatRestOnBoxes) {
   std::mt19937 random(11);
   const auto number = [&](double low, double high) {
@@ -242,7 +242,7 @@ TEST(ContactKernels2d, TakeBoxesThatRestOnBoxes) {
   expect_single_calls<double>(mixed, 0.5);
 }
 
-/// The last group is not full, and there may be none.
+/// The last group may be incomplete, and there may be no pairs.
 TEST(ContactKernels2d, TakeAnyNumberOfPairs) {
   for (std::size_t count = 0; count < 20; ++count) {
     for_each_kind<double>(Drawer(7, Sort::random), count,
@@ -250,7 +250,7 @@ TEST(ContactKernels2d, TakeAnyNumberOfPairs) {
   }
 }
 
-/// Where halves are rounded, and where sums overflow.
+/// Cases where halves are rounded, and where sums overflow.
 TEST(ContactKernels2d, TakeBoxesWithTheLeastAndTheLargestNumbers) {
   const double least = std::numeric_limits<double>::denorm_min();
   const double most = 0.75 * std::numeric_limits<double>::max();
@@ -263,7 +263,7 @@ TEST(ContactKernels2d, TakeBoxesWithTheLeastAndTheLargestNumbers) {
       if (relation(a, b) != Relation::apart) drawn.emplace_back(a, b);
     }
   }
-  expect_single_calls<double>(drawn, 0.1);  // of all but those that are too deep for a number
+  expect_single_calls<double>(drawn, 0.1);  // all but those whose depth overflows
 }
 
 RC_GTEST_PROP(ContactKernels2d, SayOfAnyShapesWhatSingleCallsDo, ()) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of shapes in the plane are taken to the kernels of their kinds whoever is named first, and the others to
-// nobody.
+// Pairs of 2D shapes are collected for the kernels of their kinds, in any order, and others are rejected.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +23,7 @@ namespace {
 
 using Any = AnyShape<2, double>;
 
-/// One of each type, around a place, and all of them over each other.
+/// One shape of each type around a position, all of them overlapping.
 std::vector<Any> some_shapes(const Vec<2, double>& place, double turn) {
   const Vec<2, double> x(1, 0);
   return {Sphere<2, double>{place, 0.5},
@@ -47,7 +46,7 @@ TEST(Pairs2d, TakeSpheresCapsulesAndBoxes) {
   }
 }
 
-/// Every two, either first, and more of a kind than a kernel takes in one go.
+/// All pairs in both orders, and more of a kind than a kernel's batch.
 TEST(Pairs2d, ServeContacts) {
   std::vector<Any> shapes;
   for (int i = 0; i < 40; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What kernels write is what single calls say, to the bit and on every instruction set; and they leave few pairs, so
-// that the comparison is one.
+// The manifolds that kernels write are bit-identical to those of single calls, with every instruction set; and the
+// kernels leave few pairs, so that the comparison is meaningful.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -47,10 +47,10 @@ std::string text_of(const Obb<3, T>& box) {
   return text;
 }
 
-/// Whether this set of instructions has a kernel: those with vectors of four doubles or more.
+/// Whether there is a kernel for this instruction set: it must have vectors of at least four doubles.
 bool has_kernel([[maybe_unused]] std::int64_t target) {
 #if defined(GRAZE_HAS_LANES) && HWY_ARCH_X86
-  return target <= HWY_AVX2;  // a lower bit is a better set
+  return target <= HWY_AVX2;  // better sets have lower bits
 #else
   return false;
 #endif
@@ -60,12 +60,12 @@ template <class T>
 std::vector<ObbsLook> looks_at(std::span<const std::pair<Obb<3, T>, Obb<3, T>>> boxes) {
   std::vector<TwoObbs<T>> pairs;
   for (const auto& [a, b] : boxes) pairs.push_back({&a, &b});
-  std::vector<ObbsLook> looks(boxes.size(), ObbsLook{~0U});  // what is left as it was
+  std::vector<ObbsLook> looks(boxes.size(), ObbsLook{~0U});  // a value that marks entries as unwritten
   obb_kernels<T>().look(pairs, FirstBox::in_order, looks.data());
   return looks;
 }
 
-/// Compares all that a kernel writes with single calls. Returns how many pairs it leaves.
+/// Compares everything that a kernel writes with single calls. Returns the number of pairs it leaves.
 template <class T>
 std::size_t left_of(const Boxes<T>& boxes, const std::string& where) {
   std::size_t left_count = 0;
@@ -96,7 +96,7 @@ std::size_t left_of(const Boxes<T>& boxes, const std::string& where) {
   return left_count;
 }
 
-/// On every set of instructions; and leaves no more than this share, where there is a kernel.
+/// With every instruction set; at most this share may be left, if there is a kernel.
 template <class T>
 void expect_single_calls(const Boxes<T>& boxes, double most_left) {
   for (const std::int64_t target : test::simd_targets()) {
@@ -126,7 +126,7 @@ class Pairs {
     while (dot(axis, axis) > 1 || dot(axis, axis) < 0.01) axis = vector(1);
     return rotation_matrix(axis, number(0, 360));
   }
-  /// By whole quarters, so that all numbers are 0, 1 or -1, as a box lies in a warehouse.
+  /// By multiples of 90 degrees, so that all numbers are 0, 1 or -1, like boxes in a warehouse.
   Mat<3, double> quarter_turn() {
     const int first = whole(0, 2);
     Mat<3, double> axes(0.0);
@@ -138,7 +138,8 @@ class Pairs {
 
   Two random() { return {{vector(0.6), extents(0.01), rotation()}, {vector(0.6), extents(0.01), rotation()}}; }
 
-  /// One on the other, turned about the upright axis by this and sunk in a little; the stack turned as a whole.
+  /// One on the other, rotated by this about the vertical axis and slightly penetrating; then the stack is rotated as a
+  /// whole.
   Two stack(const Mat<3, double>& turn, double sunk) {
     const Mat<3, double> all = rotation();
     const V3 half = extents(0.1);
@@ -149,14 +150,15 @@ class Pairs {
   }
   Two stack(double sunk) { return stack(rotation_matrix(V3(0, 0, 1), number(0, 360)), sunk); }
   Two leaning() { return stack(rotation_matrix(vector(1), number(-0.01, 0.01)), number(0, 0.02)); }
-  /// Tilted by next to nothing, and sunk in by less than that makes of depth.
+  /// Slightly tilted, with a depth smaller than the effect of the tilt.
   Two resting() {
     const double tilt = std::pow(10.0, number(-15, -4));
     const double yaw = whole(0, 2) == 0 ? 90 * whole(0, 3) : number(0, 360);
     const V3 about(number(-1, 1), number(-1, 1) + 0.01, 0);
     return stack(rotation_matrix(about, 57 * tilt) * rotation_matrix(V3(0, 0, 1), yaw), number(-0.5, 1) * tilt);
   }
-  /// Bricks: sides in one plane but for rounding, one half over the other, or larger, or turned by a quarter.
+  /// Bricks whose sides are coplanar up to rounding: one overlaps half of the other, or is larger, or rotated by 90
+  /// degrees.
   Two flush() {
     const Mat<3, double> all = whole(0, 1) == 0 ? Mat<3, double>(1.0) : rotation();
     const V3 half = extents(0.1);
@@ -167,14 +169,14 @@ class Pairs {
   }
   Two not_turned() { return stack(Mat<3, double>(1.0), number(0, 0.02)); }
 
-  /// Along the world's axes, with equal sizes, which leaves as good as everything to ties.
+  /// Axis-aligned, with equal sizes, so that nearly everything is a tie.
   Two in_grid() {
     const auto place = [this] { return V3(whole(-2, 2), whole(-2, 2), whole(-2, 2)) * 0.5; };
     const auto size = [this] { return V3(whole(1, 3), whole(1, 3), whole(1, 3)) * 0.5; };
     return {{place(), size(), quarter_turn()}, {place(), size(), quarter_turn()}};
   }
 
-  /// Two edges across each other, each box turned by 45 degrees.
+  /// Two crossing edges; each box is rotated by 45 degrees.
   Two edge_on_edge() {
     const Mat<3, double> all = rotation();
     const Mat<3, double> roof = rotation_matrix(V3(1, 0, 0), 45 + number(-10, 10));
@@ -185,7 +187,7 @@ class Pairs {
     return {{V3(0.0), V3(2, size, size), all * roof}, {all * off, V3(2, other, other), all * across}};
   }
 
-  /// Of one that is as good as flat, or a needle, or huge beside the other.
+  /// One box is nearly flat, or a needle, or very large compared with the other.
   Two uneven() {
     Two two = random();
     two.first.half_extents[whole(0, 2)] *= std::pow(10.0, number(-9, 0));
@@ -205,7 +207,7 @@ class Pairs {
     return two;
   }
 
-  /// Those that meet.
+  /// Pairs that meet.
   template <class T, class Draw>
   Boxes<T> many(std::size_t count, const Draw& draw) {
     Boxes<T> boxes;
@@ -253,7 +255,7 @@ TEST(ObbKernels, LeaveHardlyAnyPairs) {
   expect_most_taken<double>();
 }
 
-/// The last group of a list is not full, and a list may be empty.
+/// The last group of a list may be incomplete, and a list may be empty.
 TEST(ObbKernels, TakeAnyNumberOfPairs) {
   Pairs pairs(3);
   for (std::size_t count = 0; count < 20; ++count) {
@@ -294,7 +296,7 @@ RC_GTEST_PROP(ObbKernels, SayOfAnyBoxesWhatSingleCallsDo, ()) {
   expect_single_calls_of_all_sorts<double>();
 }
 
-/// Boxes that touch or are apart by this share of their size or less, or beside each other.
+/// Boxes whose distance or depth is at most this share of their size, or that are next to each other.
 Pairs::Two about_to_touch(Pairs& pairs, double share) {
   const double gap = std::pow(pairs.number(0, 1), 4) * (pairs.whole(0, 1) == 0 ? share : -share);
   switch (pairs.whole(0, 4)) {
@@ -332,8 +334,8 @@ Boxes<T> boxes_about_to_touch(Pairs& pairs, std::size_t count, double share) {
   return boxes;
 }
 
-/// What a look takes for certain is what `relation` says, and it does so of most boxes: returns of how many it does
-/// not.
+/// Verdicts that an axis test calls certain agree with `relation`, for most boxes: returns the number of boxes for
+/// which they are not certain.
 template <class T>
 std::size_t open_looks(const Boxes<T>& boxes, const std::string& where) {
   const std::vector<ObbsLook> looks = looks_at<T>(boxes);
@@ -376,7 +378,7 @@ TEST(ObbKernels, KnowOfNearlyAllBoxesWhetherTheyMeet) {
   }
 }
 
-/// Through `contacts`, which hands what a kernel leaves to the single call, beside pairs of other shapes.
+/// Through `contacts`, which passes what a kernel leaves to the single call, together with pairs of other shapes.
 template <class T>
 void expect_contacts() {
   Pairs pairs(5);
