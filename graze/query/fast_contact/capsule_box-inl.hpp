@@ -85,7 +85,8 @@ class CapsuleOnBox {
     }
   };
 
-  /// A capsule on a face, from which the normal hardly deviates, would lie flat on it.
+  /// Whether the normal deviates from a face's normal by more than the angle within which a capsule lies flat on the
+  /// face.
   [[gnu::always_inline]] static Mask is_steep(const PlaceByFaces& by_faces) {
     constexpr double least_cosine = 16 * tolerance::aligned;
     return by_faces.least_beyond > least_cosine * sqrt(by_faces.squared);
@@ -180,7 +181,7 @@ class CapsuleOnBox {
     contact_.is_over = pairs;
   }
 
-  /// For these pairs: the depth, if the contact point is known.
+  /// Sets the normal for these pairs, and the verdict if the contact point is known.
   [[gnu::always_inline]] void put(Mask pairs, const Point& normal, Real depth, Mask is_place_known) {
     const Real doubt = tolerance::coarse * pair_.size;
     take(pairs, is_place_known && depth < -doubt, contact_.is_apart);

@@ -50,8 +50,8 @@ struct FacingPatches {
   const Patch<N>& b;
   double radius_a = 0;
   double radius_b = 0;
-  /// Of a core without a radius, everything over a face rests on it if nothing is higher above it than this share of
-  /// half the circumference of the smaller face; otherwise what is above by more than rounding is clipped.
+  /// Without radii, everything over a face rests on it if nothing is higher above it than this share of half the
+  /// circumference of the smaller face; otherwise what is above by more than rounding is clipped.
   double flush = 0;
 };
 

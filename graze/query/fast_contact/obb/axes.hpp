@@ -45,7 +45,7 @@ struct GapsAcross {
   LaneMatrix gaps;
   LaneMatrix squared_length;
   Lanes widest;
-  Lanes least_squared;  ///< Depth by length, plus a band: a pair of edges with all depths below this is irrelevant.
+  Lanes least_squared;  ///< The least ((depth + band) / length)^2: deeper pairs of edges are irrelevant.
   LaneBits are_open;    ///< Where there may be a gap, for edges that are not nearly parallel.
 
   [[gnu::always_inline]] GapsAcross(const LanesFromBox& seen, float size, float orthonormality_error)

@@ -50,7 +50,7 @@ inline BoxSides<3> sides_of(const PairedBox& box) {
           axes_matrix(box)};
 }
 
-/// That of a box whose two faces are at almost the same angle.
+/// The face of a box that faces most along a direction, if two of them do so almost equally.
 [[gnu::noinline]] inline BoxFaceNumbers looking_side(const PairedBox& box, const PairedVec& direction) {
   const BoxSide<3> side = side_along<3>(face_normals(axes_matrix(box)), plain(direction));
   return {side.axis, side.is_far};

@@ -361,15 +361,15 @@ class FaceOverFace {
     return ((started_ ^ ended_) & reference) == 0 && (twice_ & reference) == 0 && after_ends == whole_starts_;
   }
 
-  /// The height above the reference face up to which the whole face rests on it.
+  /// If nothing is higher above the reference face than this, the whole face rests on it.
   double resting_height() const {
     const double halves =
         std::min(incident_.half_right + incident_.half_up, reference_.half_right + reference_.half_up);
     return 2 * flush_ * halves;
   }
 
-  /// Removes what is above the reference face by more than the slack, unless the whole face rests on it. False if that
-  /// is not contiguous.
+  /// Removes what is above the reference face by more than the slack, unless the whole face rests on it. False if the
+  /// removed part is not contiguous.
   bool cut_top() {
     std::array<double, top_line> at_start;
     std::array<double, top_line> at_end;
