@@ -86,7 +86,7 @@ Entrants<N, T> all_entrants(std::size_t threads) {
   return field;
 }
 
-/// Whether the memory of a contestant's list is kept between frames, which is faster, or allocated anew, as for a
+/// Whether the memory of a contestant's list is kept between frames, which is faster, or allocated again, as for a
 /// single call.
 enum class ListMemory { kept, anew };
 

@@ -121,7 +121,7 @@ class Quickhull {
     for (const std::uint32_t index : points) undecided_.push_back(frame_->at(index));
     used_ = 0;
     const std::size_t alive = faces_.size() - free_.size();
-    // Compares the cost of testing all points against all faces with the cost of starting anew with all points that
+    // Compares the cost of testing all points against all faces with the cost of starting again with all points that
     // remain.
     constexpr std::size_t tests_of_a_point = 256;
     if (undecided_.size() * alive <= tests_of_a_point * (undecided_.size() + corners_.size())) {

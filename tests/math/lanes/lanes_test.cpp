@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The vector types of filters give what scalar code would, to the bit.
+// The vector types of filters give results that are bit-identical to scalar code.
 #include <cmath>
 #include <cstddef>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The filter for a ray and a shape of any type agrees with the general method: the same hits, at points that differ by
 // at most the sum of both errors; and it decides nearly all ordinary rays. The tests of the filters for 3D boxes and
-// triangles check that they agree to the bit.
+// triangles check that the results are bit-identical.
 #include <array>
 #include <cmath>
 #include <cstddef>

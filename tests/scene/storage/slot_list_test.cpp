@@ -55,7 +55,7 @@ TEST(SlotList, LeavesNothingWhereItWasMovedFrom) {
   list.add(9);
   SlotList moved = std::move(list);
   EXPECT_EQ(slots_of(moved), (std::vector<std::uint32_t>{9}));
-  EXPECT_TRUE(list.empty());  // NOLINT(bugprone-use-after-move): that it may be used is what is asked
+  EXPECT_TRUE(list.empty());  // NOLINT(bugprone-use-after-move): the test uses it on purpose
   list = std::move(moved);
   EXPECT_EQ(slots_of(list), (std::vector<std::uint32_t>{9}));
 }

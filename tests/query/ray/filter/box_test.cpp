@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The filter for a ray and a box agrees with the general method, to the bit except for the error, which is rounded; and
-// it decides most cases.
+// The filter for a ray and a box agrees bit for bit with the general method, except for the error, which is rounded;
+// and it decides most cases.
 #include <array>
 #include <cmath>
 #include <cstddef>

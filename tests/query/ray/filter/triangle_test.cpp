@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The filter for a ray and a triangle agrees with the general method, to the bit except for the error, which is
+// The filter for a ray and a triangle agrees bit for bit with the general method, except for the error, which is
 // rounded; and it decides most cases.
 #include <algorithm>
 #include <array>
