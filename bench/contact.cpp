@@ -25,7 +25,6 @@
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/touching/manifolds.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/intersects.hpp>

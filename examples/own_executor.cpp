@@ -5,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include <graze/broad/scene_generators.hpp>
 #include <graze/graze.hpp>
 
 class Jobs : public graze::Executor {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Includes the whole library except io: shapes, queries on pairs, queries on many objects, scenes. To read and write
-/// files, include `<graze/io/scene_file.hpp>`.
+/// Includes shapes, queries on pairs, queries on many objects, and scenes. What takes long to compile and few programs
+/// need is left out and has a header of its own: files (`<graze/io/scene_file.hpp>`), bounding volumes of points
+/// (`<graze/query/bounding.hpp>`), the edges of a hull (`<graze/shape/convex_mesh.hpp>`), decomposition of polygons
+/// (`<graze/query/convex_parts.hpp>`, `<graze/query/filled_parts.hpp>`) and random scenes
+/// (`<graze/broad/scene_generators.hpp>`).
 #pragma once
 
 #include <graze/broad/brute_force.hpp>
@@ -13,21 +16,17 @@
 #include <graze/broad/grid.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/scene_generators.hpp>
 #include <graze/broad/sorted_pairs.hpp>
 #include <graze/broad/touching_pairs.hpp>
-#include <graze/query/bounding.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_boundary_point.hpp>
 #include <graze/query/closest_point.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/contains.hpp>
-#include <graze/query/convex_parts.hpp>
 #include <graze/query/distance.hpp>
 #include <graze/query/distance_squared.hpp>
 #include <graze/query/epa.hpp>
-#include <graze/query/filled_parts.hpp>
 #include <graze/query/gjk.hpp>
 #include <graze/query/intersects.hpp>
 #include <graze/query/manifold.hpp>
@@ -44,7 +43,6 @@
 #include <graze/scene/scene.hpp>
 #include <graze/scene/visit_candidates.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/convex_mesh.hpp>
 #include <graze/shape/frustum.hpp>
 #include <graze/shape/pick.hpp>
 #include <graze/shape/posed.hpp>

@@ -34,6 +34,14 @@ TESTED_ELSEWHERE = {
     "graze/shape/hull/monotone_chain.hpp": ("tests/shape/polytope_test.cpp", "convex_hull in 2D"),
     "graze/shape/hull/quickhull.hpp": ("tests/shape/hull/faces_test.cpp", "the method behind hull_faces"),
     "graze/query/cast/cast_hit.hpp": ("tests/query/shape_cast_test.cpp", "shape_cast by a ray"),
+    "graze/query/compiled/instances.hpp":
+        ("tests/package/consumer/queries.cpp", "the queries that a user's file takes from the library"),
+    "graze/query/compiled/pairs_2d_double.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
+    "graze/query/compiled/pairs_2d_float.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
+    "graze/query/compiled/pairs_3d_double.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
+    "graze/query/compiled/pairs_3d_float.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
+    "graze/query/compiled/singles_2d.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
+    "graze/query/compiled/singles_3d.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
     "graze/query/fast_contact/cores_2d.hpp":
         ("tests/query/fast_contact/boxes_2d_test.cpp", "used by 2D contacts"),
     "graze/query/fast_contact/fast_result.hpp":
@@ -69,14 +77,9 @@ TESTED_ELSEWHERE = {
         ("tests/broad/pairs/block_tree_test.cpp", "structs without functions, for the tree"),
     "graze/broad/simd/choice.hpp":
         ("tests/broad/pairs/block_kernels_test.cpp", "one macro, whose values the tests force in turn"),
-    "graze/broad/touching/manifolds.hpp": ("tests/broad/contacts_test.cpp", "instances of manifold() for contacts"),
-    "graze/broad/touching/manifolds_2d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
-    "graze/broad/touching/manifolds_3d.cpp": ("tests/broad/contacts_test.cpp", "the same"),
     "graze/broad/touching/pair_tasks.hpp":
         ("tests/broad/touching_pairs_test.cpp", "invalid arguments, and equal results with any executor"),
-    "graze/broad/touching/relations.hpp":
-        ("tests/broad/touching_pairs_test.cpp", "instances of relation()"),
-    "graze/scene/storage/single_queries.hpp": ("tests/scene/plain_scene_test.cpp", "instances of queries for PlainScene"),
+    "graze/scene/storage/meets_inflated.hpp": ("tests/scene/plain_scene_test.cpp", "the test of boxes for PlainScene"),
 }
 
 

@@ -14,9 +14,8 @@
 #include <graze/broad/contacts/mixed_contacts.hpp>
 #include <graze/broad/contacts/obb/obb_kernels.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/touching/manifolds.hpp>
 #include <graze/broad/touching/pair_tasks.hpp>
-#include <graze/broad/touching/relations.hpp>
+#include <graze/query/manifold.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/shape/fields/shape_order.hpp>
 

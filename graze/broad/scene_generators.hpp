@@ -82,9 +82,4 @@ class MovingBoxes {
   bool moves_as_one_ = false;
 };
 
-extern template class MovingBoxes<2, float>;
-extern template class MovingBoxes<3, float>;
-extern template class MovingBoxes<2, double>;
-extern template class MovingBoxes<3, double>;
-
 }  // namespace graze

@@ -9,9 +9,9 @@
 
 #include <graze/broad/memory/prefetch.hpp>
 #include <graze/broad/touching/pair_tasks.hpp>
-#include <graze/broad/touching/relations.hpp>
 #include <graze/broad/touching/touching_kernels.hpp>
 #include <graze/broad/touching_pairs.hpp>
+#include <graze/query/relation.hpp>
 
 namespace graze {
 namespace detail {

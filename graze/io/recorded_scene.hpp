@@ -127,9 +127,4 @@ class RecordedScene {
   mutable std::mutex one_call_;
 };
 
-extern template class RecordedScene<2, float>;
-extern template class RecordedScene<3, float>;
-extern template class RecordedScene<2, double>;
-extern template class RecordedScene<3, double>;
-
 }  // namespace graze::io

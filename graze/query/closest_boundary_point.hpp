@@ -20,6 +20,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/closest/surface_point_convex.hpp>
 #include <graze/query/closest_point.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/cores/surface_point.hpp>
 #include <graze/query/cores/surface_point_box.hpp>
 #include <graze/query/signed_distance.hpp>
@@ -64,5 +65,7 @@ P closest_boundary_point(const S& shape, const P& point) {
   assert(detail::is_accepted(shape));
   return detail::closest_boundary_point_of(shape, point);
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_CLOSEST_BOUNDARY_POINT_INSTANCES)
 
 }  // namespace graze

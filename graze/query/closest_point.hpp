@@ -25,6 +25,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/closest/surface_point_convex.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/contains.hpp>
 #include <graze/query/cores/surface_point.hpp>
 #include <graze/query/cores/surface_point_box.hpp>
@@ -204,5 +205,7 @@ P closest_point(const S& shape, const P& point) {
   assert(detail::is_accepted(shape));
   return detail::closest_point_of(shape, point);
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_CLOSEST_POINT_INSTANCES)
 
 }  // namespace graze

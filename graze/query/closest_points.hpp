@@ -54,6 +54,7 @@
 #include <graze/query/closest/hulls.hpp>
 #include <graze/query/closest/nearly_parallel.hpp>
 #include <graze/query/closest/unbounded.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/cores/closest.hpp>
 #include <graze/query/distance_squared.hpp>
 #include <graze/query/proximity.hpp>
@@ -373,21 +374,11 @@ Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S&
   return nearest;
 }
 
-/// True if a and b are in the order of calculation.
-template <class A, class B>
-bool are_in_order(const A& a, const B& b) {
-  if constexpr (type_place<A> == type_place<B>) {
-    return is_in_order(a, b);
-  } else {
-    return type_place<A> < type_place<B>;
-  }
-}
-
 /// Without a branch on the order, which would be mispredicted half of the time.
 template <class S>
 bool find_proximity_of_hulls_in_any_order(const S& a, const S& b, SimplexCache<3>* cache,
                                           Proximity<3, double>& result) {
-  const bool is_exchanged = !are_in_order(a, b);
+  const bool is_exchanged = !is_in_order(a, b);
   const S& first = is_exchanged ? b : a;
   const S& second = is_exchanged ? a : b;
   return find_proximity_of_hulls(first, second, {cache, is_exchanged}, result);
@@ -395,7 +386,7 @@ bool find_proximity_of_hulls_in_any_order(const S& a, const S& b, SimplexCache<3
 template <class A, class B>
 bool find_proximity_of_hulls_in_any_order(const A& a, const B& b, SimplexCache<3>* cache,
                                           Proximity<3, double>& result) {
-  if (are_in_order(a, b)) return find_proximity_of_hulls(a, b, {cache, false}, result);
+  if (is_in_order(a, b)) return find_proximity_of_hulls(a, b, {cache, false}, result);
   return find_proximity_of_hulls(b, a, {cache, true}, result);
 }
 
@@ -446,5 +437,7 @@ Proximity<dimension_of<A>, scalar_of<A>> closest_points(const A& a, const B& b, 
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
   return detail::rounded<scalar_of<A>>(detail::proximity(a, b, &cache));
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_CLOSEST_POINTS_INSTANCES)
 
 }  // namespace graze

@@ -56,6 +56,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_points.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/contact/convex.hpp>
 #include <graze/query/contact/cores.hpp>
 #include <graze/query/contact/unbounded.hpp>
@@ -303,5 +304,7 @@ std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const 
     return detail::rounded_contact<scalar_of<A>>(*found);
   }
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_CONTACT_INSTANCES)
 
 }  // namespace graze

@@ -31,6 +31,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest/surface_point_convex.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/cores/surface_point.hpp>
 #include <graze/query/cores/surface_point_box.hpp>
 #include <graze/query/distance_squared.hpp>
@@ -353,5 +354,7 @@ bool contains(const S& shape, const P& point) {
   assert(detail::is_accepted(shape));
   return detail::is_held(shape, point);
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_CONTAINS_INSTANCES)
 
 }  // namespace graze

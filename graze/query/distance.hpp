@@ -7,6 +7,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/closest_points.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/proximity.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/simplex_cache.hpp>
@@ -56,5 +57,7 @@ template <Dim N, Scalar T>
 T distance(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
   return detail::distance_of(a, b);
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_DISTANCE_INSTANCES)
 
 }  // namespace graze

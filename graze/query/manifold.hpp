@@ -31,7 +31,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -42,6 +41,7 @@
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/fast_contact/fast_contact.hpp>
 #include <graze/query/fast_contact/obb/choice.hpp>
@@ -152,9 +152,8 @@ std::optional<WideManifold<N>> manifold_of_parts(const Compound<N, T>& compound,
 template <Dim N, class T>
 WideManifold<N> manifold_of_aabbs(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   const Penetration<N> found = penetration_in_order(a, b);
-  const Vec<N, double> zero(0.0);
-  const Aabb<N, double> box_a = relative_to(zero, a);
-  const Aabb<N, double> box_b = relative_to(zero, b);
+  const Aabb<N, double> box_a = relative_to(Vec<N, double>(0.0), a);
+  const Aabb<N, double> box_b = relative_to(Vec<N, double>(0.0), b);
   if (!has_faces(box_a) || !has_faces(box_b)) return manifold_of_found(a, b, found);
   WideManifold<N> result;
   result.found = found;
@@ -441,10 +440,11 @@ Manifold<dimension_of<A>, scalar_of<A>> manifold(const A& a, const B& b) {
     if (detail::decide(a, b) == Relation::apart) return {};
     return detail::rounded_manifold<scalar_of<A>>(detail::manifold_of_met(a, b));
   } else {
-    const auto found = detail::wide_manifold(a, b);
-    if (!found) return {};
-    return detail::rounded_manifold<scalar_of<A>>(*found);
+    if (const auto found = detail::wide_manifold(a, b)) return detail::rounded_manifold<scalar_of<A>>(*found);
+    return {};
   }
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_MANIFOLD_INSTANCES)
 
 }  // namespace graze

@@ -26,6 +26,7 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/scaling/range.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/fields/visit.hpp>
@@ -340,5 +341,7 @@ requires detail::HasMoments<S> MassProperties<dimension_of<S>> mass_properties(c
   }
   return result;
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_MASS_PROPERTIES_INSTANCES)
 
 }  // namespace graze

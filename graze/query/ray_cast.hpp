@@ -41,6 +41,7 @@
 #include <type_traits>
 
 #include <graze/math/vec.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/ray/careful.hpp>
 #include <graze/query/ray/filters.hpp>
 #include <graze/query/ray_hit.hpp>
@@ -192,5 +193,7 @@ std::optional<RayHitOn<S>> ray_cast(const S& shape, const SegmentIn<S>& segment,
   }
   return detail::cast_along(shape, detail::Path<N>{start, edge, 1, sum_abs(edge)}, 1, options.side, ask);
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_RAY_CAST_INSTANCES)
 
 }  // namespace graze

@@ -39,6 +39,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/relation/bounded.hpp>
 #include <graze/query/relation/convex.hpp>
 #include <graze/query/relation/polygon.hpp>
@@ -142,6 +143,12 @@ inline Relation decide(const A& a, const B& b) {
   }
 }
 
+/// The overload for variants. It compiles every pair of types and is therefore not inline, so that it is compiled once.
+template <Dim N, class T>
+Relation decide(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
+  return detail::visit([&b](const auto& held) { return decide(held, b); }, a);
+}
+
 /// A user's type without `defect` counts as valid.
 template <class S>
 bool is_valid_if_known(const S& shape) {
@@ -160,12 +167,13 @@ inline Relation relation(const A& a, const B& b) {
   return detail::decide(a, b);
 }
 
-/// The overload for variants. It compiles every pair of types and is therefore not inline, so that `extern template`
-/// avoids compiling it everywhere.
+/// The overload for variants; graze::graze holds it compiled.
 template <Dim N, class T>
 Relation relation(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
   assert(is_valid(a) && is_valid(b));
   return detail::decide(a, b);
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_RELATION_INSTANCES)
 
 }  // namespace graze

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <graze/query/closest_points.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/proximity.hpp>
 #include <graze/query/relation.hpp>
@@ -40,5 +41,7 @@ Proximity<dimension_of<A>, scalar_of<A>> separation(const A& a, const B& b) {
   result.error = met->error;
   return result;
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_SEPARATION_INSTANCES)
 
 }  // namespace graze

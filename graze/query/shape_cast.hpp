@@ -51,6 +51,7 @@
 #include <graze/query/cast/minkowski_difference.hpp>
 #include <graze/query/cast/zonotope_cast.hpp>
 #include <graze/query/closest_points.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/impact.hpp>
 #include <graze/query/ray_cast.hpp>
@@ -402,10 +403,8 @@ std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension
     return cast_hit_of_parts(b, -motion, a, [&](const auto& part) { return cast_hit(a, motion, part); });
   } else {
     if (hold_nan(a, b)) return std::nullopt;
-    if constexpr (can_leave_range<A>) {
-      if (!are_usual(a, b, motion)) {
-        if (const auto rescaled = cast_hit_in_range(a, motion, b)) return *rescaled;
-      }
+    if (!are_usual(a, b, motion)) {
+      if (const auto rescaled = cast_hit_in_range(a, motion, b)) return *rescaled;
     }
     if constexpr (type_place<A> < type_place<B>) {
       return cast_hit_in_order(a, motion, b);
@@ -426,9 +425,8 @@ std::optional<Impact<dimension_of<A>, scalar_of<A>>> impact_of(const A& a,
   if (!is_finite(motion)) return std::nullopt;
   if (const auto contact = penetration(a, b)) return rounded_impact<T>(cast_hit_at_start(*contact));
   if (max_abs(motion) == T(0)) return std::nullopt;
-  const auto found = cast_hit(a, wide<dimension_of<A>, T>(motion), b);
-  if (!found) return std::nullopt;
-  return rounded_impact<T>(*found);
+  if (const auto found = cast_hit(a, wide<dimension_of<A>, T>(motion), b)) return rounded_impact<T>(*found);
+  return std::nullopt;
 }
 
 }  // namespace detail
@@ -446,5 +444,7 @@ std::optional<Impact<dimension_of<A>, scalar_of<A>>> shape_cast(const A& a,
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b));
   return detail::impact_of(a, motion, b);
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_SHAPE_CAST_INSTANCES)
 
 }  // namespace graze

@@ -25,6 +25,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/closest/surface_point_convex.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/contains.hpp>
 #include <graze/query/cores/surface_point.hpp>
 #include <graze/query/cores/surface_point_box.hpp>
@@ -123,5 +124,7 @@ scalar_of<S> signed_distance(const S& shape, const P& point) {
   const T rounded = static_cast<T>(distance) + T(0);  // never minus zero
   return distance > 0 && rounded == T(0) ? std::numeric_limits<T>::denorm_min() : rounded;
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_SIGNED_DISTANCE_INSTANCES)
 
 }  // namespace graze

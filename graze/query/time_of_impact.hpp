@@ -28,6 +28,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/cast/motion_advance.hpp>
 #include <graze/query/closest_points.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/impact.hpp>
 #include <graze/query/relation.hpp>
@@ -198,26 +199,16 @@ bool do_glide(const MotionOf<A>& motion_a, const MotionOf<A>& motion_b) {
 
 // ---- Any two simple shapes
 
-/// Whether a comes first, so that the result does not depend on the order of arguments.
-template <class A, class B>
-bool comes_first(const A& a, const B& b) {
-  if constexpr (type_place<A> == type_place<B>) {
-    return is_in_order(a, b);
-  } else {
-    return type_place<A> < type_place<B>;
-  }
-}
-
 /// Independent of the order of arguments.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                                   const MotionOf<A>& motion_b) {
   if (do_glide<A, B>(motion_a, motion_b)) {
-    return comes_first(a, b) ? cast_hit_of_gliding(a, motion_a, b, motion_b)
+    return is_in_order(a, b) ? cast_hit_of_gliding(a, motion_a, b, motion_b)
                              : with_normal_turned(cast_hit_of_gliding(b, motion_b, a, motion_a));
   }
   if constexpr (is_endless<A> && is_endless<B>) {
-    return comes_first(a, b) ? cast_hit_of_endless(a, motion_a, b, motion_b)
+    return is_in_order(a, b) ? cast_hit_of_endless(a, motion_a, b, motion_b)
                              : with_normal_turned(cast_hit_of_endless(b, motion_b, a, motion_a));
   } else if constexpr (is_ray<A>) {
     return with_normal_turned(cast_hit_of_moving(b, motion_b, piece_of_ray(a, motion_a, b, motion_b), motion_a));
@@ -333,5 +324,7 @@ std::optional<Impact<dimension_of<A>, scalar_of<A>>> time_of_impact(const A& a, 
   if (!cast_hit) return std::nullopt;
   return detail::rounded_impact<T>(*cast_hit);
 }
+
+GRAZE_DECLARE_INSTANCES(GRAZE_TIME_OF_IMPACT_INSTANCES)
 
 }  // namespace graze

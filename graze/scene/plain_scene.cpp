@@ -7,12 +7,14 @@
 #include <variant>
 
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/touching/manifolds.hpp>
-#include <graze/broad/touching/relations.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/manifold.hpp>
+#include <graze/query/ray_cast.hpp>
+#include <graze/query/relation.hpp>
+#include <graze/query/signed_distance.hpp>
 #include <graze/scene/plain_scene.hpp>
-#include <graze/scene/storage/single_queries.hpp>
+#include <graze/scene/storage/meets_inflated.hpp>
 
 namespace graze {
 namespace {

@@ -79,9 +79,4 @@ class PlainScene {
   std::vector<ObjectPair> touching_;  // at the last update
 };
 
-extern template class PlainScene<2, float>;
-extern template class PlainScene<3, float>;
-extern template class PlainScene<2, double>;
-extern template class PlainScene<3, double>;
-
 }  // namespace graze

@@ -147,9 +147,4 @@ class Scene : public SceneView<N, T> {
   detail::EventsEdit next_edit_;    // and for the changes to the last ones
 };
 
-extern template class Scene<2, float>;
-extern template class Scene<3, float>;
-extern template class Scene<2, double>;
-extern template class Scene<3, double>;
-
 }  // namespace graze

@@ -12,7 +12,6 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/scene/scene_view.hpp>
-#include <graze/scene/storage/single_queries.hpp>
 #include <graze/shape/any_shape.hpp>
 
 namespace graze {
@@ -72,12 +71,10 @@ std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>& ray,
   return result;
 }
 
-// The explicit instantiation declared in single_queries.hpp.
-#define GRAZE_INSTANTIATE(N, T)                                                                              \
-  template std::vector<ObjectId> SceneView<N, T>::near_way(const Ray<N, T>&, T, LayerMask) const;            \
-  template std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>&, T, LayerMask) const;   \
-  template std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>&, T, LayerMask) const; \
-  template std::optional<RayHit<N, T>> ray_cast(const AnyShape<N, T>&, const Ray<N, T>&, T, RayOptions);
+#define GRAZE_INSTANTIATE(N, T)                                                                            \
+  template std::vector<ObjectId> SceneView<N, T>::near_way(const Ray<N, T>&, T, LayerMask) const;          \
+  template std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>&, T, LayerMask) const; \
+  template std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>&, T, LayerMask) const;
 GRAZE_INSTANTIATE(2, float)
 GRAZE_INSTANTIATE(3, float)
 GRAZE_INSTANTIATE(2, double)

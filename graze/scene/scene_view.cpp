@@ -13,7 +13,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/scene/scene_view.hpp>
-#include <graze/scene/storage/single_queries.hpp>
+#include <graze/scene/storage/meets_inflated.hpp>
 #include <graze/scene/visit_candidates.hpp>
 
 namespace graze {
@@ -190,9 +190,8 @@ GRAZE_INSTANTIATE(2, double)
 GRAZE_INSTANTIATE(3, double)
 #undef GRAZE_INSTANTIATE
 
-// The explicit instantiations declared in single_queries.hpp.
+// The explicit instantiations declared in meets_inflated.hpp.
 #define GRAZE_INSTANTIATE(N, T)                                                  \
-  template T signed_distance(const AnyShape<N, T>&, const Vec<N, T>&);           \
   template bool meets_inflated(const AnyShape<N, T>& region, const Aabb<N, T>&); \
   template bool meets_inflated(const Frustum<N, T>& region, const Aabb<N, T>&);
 GRAZE_INSTANTIATE(2, float)

@@ -15,10 +15,10 @@
 
 #include <graze/broad/executor.hpp>
 #include <graze/broad/index/key_table.hpp>
-#include <graze/broad/touching/relations.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_hit.hpp>
+#include <graze/query/relation.hpp>
 #include <graze/scene/events.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
@@ -165,10 +165,5 @@ class SceneView {
 
   /// @endcond
 };
-
-extern template class SceneView<2, float>;
-extern template class SceneView<3, float>;
-extern template class SceneView<2, double>;
-extern template class SceneView<3, double>;
 
 }  // namespace graze

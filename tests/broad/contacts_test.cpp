@@ -12,9 +12,9 @@
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/touching/manifolds.hpp>
-#include <graze/broad/touching/relations.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/manifold.hpp>
+#include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 
 #include "catalogue.hpp"

@@ -21,10 +21,10 @@
 #include <graze/broad/grid.hpp>
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/touching/manifolds.hpp>
 #include <graze/broad/touching_pairs.hpp>
 #include <graze/math/random/linear_congruential.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/manifold.hpp>
 
 #include "broad/same_manifolds.hpp"
 #include "broad/simd_targets.hpp"

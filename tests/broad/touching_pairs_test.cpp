@@ -12,9 +12,9 @@
 #include <gtest/gtest.h>
 
 #include <graze/broad/executor.hpp>
-#include <graze/broad/touching/relations.hpp>
 #include <graze/broad/touching_pairs.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
 
 #include "catalogue.hpp"

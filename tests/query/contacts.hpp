@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// graze's contacts of any two shapes: compiled once for each space, by contacts.cpp.in, because hundreds of pairs take
-// long to compile.
+// graze's contacts of any two shapes.
 #pragma once
 
 #include <optional>
@@ -10,26 +9,18 @@
 #include <graze/query/cores/penetration.hpp>
 #include <graze/shape/any_shape.hpp>
 
-// Also compiled there, for the other files of instances.
-namespace graze {
-extern template std::optional<detail::Penetration<2>> detail::penetration(const AnyShape<2, float>&,
-                                                                          const AnyShape<2, float>&);
-extern template std::optional<detail::Penetration<2>> detail::penetration(const AnyShape<2, double>&,
-                                                                          const AnyShape<2, double>&);
-extern template std::optional<detail::Penetration<3>> detail::penetration(const AnyShape<3, float>&,
-                                                                          const AnyShape<3, float>&);
-extern template std::optional<detail::Penetration<3>> detail::penetration(const AnyShape<3, double>&,
-                                                                          const AnyShape<3, double>&);
-}  // namespace graze
-
 namespace graze::test {
 
 /// contact(a, b).
 template <Dim N, class T>
-std::optional<Contact<N, T>> contact_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
+std::optional<Contact<N, T>> contact_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
+  return contact(a, b);
+}
 
 /// contact(a, b) before it is rounded to T.
 template <Dim N, class T>
-std::optional<detail::Penetration<N>> penetration_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
+std::optional<detail::Penetration<N>> penetration_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
+  return detail::penetration(a, b);
+}
 
 }  // namespace graze::test

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// graze's manifolds of any two shapes: compiled once for each space, by manifolds.cpp.in, because hundreds of pairs
-// take long to compile.
+// graze's manifolds of any two shapes.
 #pragma once
 
 #include <graze/math/vec.hpp>
@@ -11,6 +10,8 @@ namespace graze::test {
 
 /// manifold(a, b).
 template <Dim N, class T>
-Manifold<N, T> manifold_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b);
+Manifold<N, T> manifold_of(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
+  return manifold(a, b);
+}
 
 }  // namespace graze::test

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// All point queries at once, for any shape: compiled by point_answers.cpp.in, because a dozen types of shapes take long
-// to compile.
+// All point queries at once, for any shape.
 #pragma once
 
 #include <graze/math/vec.hpp>
+#include <graze/query/closest_boundary_point.hpp>
+#include <graze/query/closest_point.hpp>
+#include <graze/query/contains.hpp>
+#include <graze/query/signed_distance.hpp>
 #include <graze/shape/any_shape.hpp>
 
 namespace graze::test {
@@ -17,6 +20,9 @@ struct PointAnswers {
 };
 
 template <Dim N, class T>
-PointAnswers<N, T> answers(const AnyShape<N, T>& shape, const Vec<N, T>& point);
+PointAnswers<N, T> answers(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
+  return {contains(shape, point), closest_point(shape, point), closest_boundary_point(shape, point),
+          signed_distance(shape, point)};
+}
 
 }  // namespace graze::test

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// graze's answers for rays and any shape: compiled once for each space, by ray_casts.cpp.in.
+// graze's answers for rays and any shape. Functions that visit each type of shape are compiled once for each space, by
+// ray_casts.cpp.in.
 #pragma once
 
 #include <optional>
 
 #include <graze/math/vec.hpp>
+#include <graze/query/ray_cast.hpp>
 #include <graze/query/ray_hit.hpp>
 #include <graze/shape/any_shape.hpp>
 
@@ -12,11 +14,16 @@ namespace graze::test {
 
 /// ray_cast(shape, ray, t_max, options).
 template <Dim N, class T>
-std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Ray<N, T>& ray, T t_max, RayOptions options = {});
+std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Ray<N, T>& ray, T t_max,
+                                   RayOptions options = {}) {
+  return ray_cast(shape, ray, t_max, options);
+}
 
 /// ray_cast(shape, segment, options).
 template <Dim N, class T>
-std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Segment<N, T>& segment, RayOptions options = {});
+std::optional<RayHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Segment<N, T>& segment, RayOptions options = {}) {
+  return ray_cast(shape, segment, options);
+}
 
 /// intersects(shape, ray) for the shape as its own type.
 template <Dim N, class T>

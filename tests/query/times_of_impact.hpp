@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// graze's times of impact of shapes of any two types: compiled once for each space, by times_of_impact.cpp.in.
+// graze's times of impact of shapes of any two types.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 #include <graze/math/motion.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/impact.hpp>
+#include <graze/query/time_of_impact.hpp>
 #include <graze/shape/any_shape.hpp>
 
 namespace graze::test {
@@ -22,10 +23,15 @@ struct Moving {
 
 /// time_of_impact(a, motion_a, b, motion_b).
 template <Dim N, class T>
-std::optional<Impact<N, T>> impact_of(const Moving<N, T>& moving);
+std::optional<Impact<N, T>> impact_of(const Moving<N, T>& moving) {
+  return time_of_impact(moving.a, moving.motion_a, moving.b, moving.motion_b);
+}
 
 /// The same before rounding, for shapes that are apart.
 template <Dim N, class T>
-std::optional<detail::CastHit<N>> cast_hit_of(const Moving<N, T>& moving);
+std::optional<detail::CastHit<N>> cast_hit_of(const Moving<N, T>& moving) {
+  return detail::cast_hit_in_motion(moving.a, detail::wide_motion(moving.motion_a), moving.b,
+                                    detail::wide_motion(moving.motion_b));
+}
 
 }  // namespace graze::test

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/query/ray_cast.hpp>
 #include <graze/scene/plain_scene.hpp>
-#include <graze/scene/storage/single_queries.hpp>
 
 namespace graze::plain_scene_test {
 namespace {

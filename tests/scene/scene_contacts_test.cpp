@@ -13,9 +13,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <graze/broad/executor.hpp>
-#include <graze/broad/touching/manifolds.hpp>
 #include <graze/math/random/linear_congruential.hpp>
 #include <graze/math/rotation.hpp>
+#include <graze/query/manifold.hpp>
 #include <graze/scene/scene.hpp>
 
 #include "broad/thread_executor.hpp"

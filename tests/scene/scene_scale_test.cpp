@@ -13,9 +13,9 @@
 
 #include <gtest/gtest.h>
 
-#include <graze/broad/touching/manifolds.hpp>
 #include <graze/math/random/linear_congruential.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/manifold.hpp>
 #include <graze/scene/scene.hpp>
 
 #include "broad/same_manifolds.hpp"

@@ -6,7 +6,6 @@
 
 #include <emscripten/bind.h>
 
-#include <graze/broad/touching/relations.hpp>
 #include <graze/query/bounding.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest_boundary_point.hpp>
@@ -17,6 +16,7 @@
 #include <graze/query/distance.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_cast.hpp>
+#include <graze/query/relation.hpp>
 #include <graze/query/separation.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/shape/polytope.hpp>

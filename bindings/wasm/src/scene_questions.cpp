@@ -10,11 +10,11 @@
 #include <emscripten/bind.h>
 #include <fmt/format.h>
 
-#include <graze/broad/touching/relations.hpp>
 #include <graze/io/json_scene.hpp>
 #include <graze/io/report/check.hpp>
 #include <graze/io/report/summary.hpp>
 #include <graze/io/text/quoting.hpp>
+#include <graze/query/relation.hpp>
 #include <graze/scene/scene.hpp>
 
 #include "arguments.hpp"

@@ -27,7 +27,6 @@
 #include <graze/broad/orthtree.hpp>
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/scene_generators.hpp>
-#include <graze/broad/touching/relations.hpp>
 #include <graze/broad/touching_pairs.hpp>
 #include <graze/io/json/shape_writer.hpp>
 #include <graze/math/motion.hpp>
@@ -39,6 +38,7 @@
 #include <graze/query/distance.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_cast.hpp>
+#include <graze/query/relation.hpp>
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/query/time_of_impact.hpp>

@@ -120,9 +120,4 @@ class BvhTree {
   std::vector<BvhName> infinite_;
 };
 
-extern template class BvhTree<2, float>;
-extern template class BvhTree<3, float>;
-extern template class BvhTree<2, double>;
-extern template class BvhTree<3, double>;
-
 }  // namespace graze::detail

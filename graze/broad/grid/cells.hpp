@@ -106,10 +106,5 @@ class GridCells {
   std::size_t patience_ = 1;
 };
 
-extern template class GridCells<2, float>;
-extern template class GridCells<3, float>;
-extern template class GridCells<2, double>;
-extern template class GridCells<3, double>;
-
 }  // namespace detail
 }  // namespace graze

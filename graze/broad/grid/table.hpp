@@ -73,7 +73,4 @@ class GridTable {
   std::size_t count_ = 0;
 };
 
-extern template class GridTable<2>;
-extern template class GridTable<3>;
-
 }  // namespace graze::detail

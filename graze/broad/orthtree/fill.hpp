@@ -61,9 +61,4 @@ class CellFilling {
   std::vector<std::uint32_t> left_over_;  // indices
 };
 
-extern template class CellFilling<2, float>;
-extern template class CellFilling<3, float>;
-extern template class CellFilling<2, double>;
-extern template class CellFilling<3, double>;
-
 }  // namespace graze::detail

@@ -111,9 +111,4 @@ class CellTree {
   std::size_t changes_since_refit_ = 0;
 };
 
-extern template class CellTree<2, float>;
-extern template class CellTree<3, float>;
-extern template class CellTree<2, double>;
-extern template class CellTree<3, double>;
-
 }  // namespace graze::detail

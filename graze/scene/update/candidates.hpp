@@ -143,9 +143,4 @@ class Candidates {
   std::uint32_t mark_ = 0;
 };
 
-extern template class Candidates<2, float>;
-extern template class Candidates<3, float>;
-extern template class Candidates<2, double>;
-extern template class Candidates<3, double>;
-
 }  // namespace graze::detail

@@ -161,9 +161,4 @@ class PairKeeper {
   std::vector<NearPair> ended_edges_;
 };
 
-extern template class PairKeeper<2, float>;
-extern template class PairKeeper<3, float>;
-extern template class PairKeeper<2, double>;
-extern template class PairKeeper<3, double>;
-
 }  // namespace graze::detail

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
+// hull_faces(points): the surface of the convex hull of 3D points. graze::graze holds it compiled.
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include <graze/math/vec.hpp>
-#include <graze/shape/hull/frame.hpp>
-#include <graze/shape/hull/quickhull.hpp>
-#include <graze/shape/hull/undecided_points.hpp>
 
 namespace graze::detail {
 
@@ -22,17 +19,15 @@ using HullTriangle = std::array<std::uint32_t, 3>;
 /// face with more than three corners becomes several triangles, whose corners may include points inside that face or on
 /// its edges. Empty if all points are coplanar, exactly.
 template <class T>
-std::vector<HullTriangle> hull_faces(std::span<const Vec<3, T>> points) {
-  if (points.empty()) return {};
-  const HullFrame<T> frame(points);
-  const Quickhull<T> hull = hull_of(frame);
-  std::vector<HullTriangle> result;
-  for (const auto& face : hull.faces()) {
-    if (!face.is_alive) continue;
-    HullTriangle& triangle = result.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) triangle[i] = hull.corners()[face.corners[i]].index;
-  }
-  return result;
-}
+std::vector<HullTriangle> hull_faces(std::span<const Vec<3, T>> points);
+
+#ifdef GRAZE_COMPILED_QUERIES
+extern template std::vector<HullTriangle> hull_faces(std::span<const Vec<3, float>>);
+extern template std::vector<HullTriangle> hull_faces(std::span<const Vec<3, double>>);
+#endif
 
 }  // namespace graze::detail
+
+#ifndef GRAZE_COMPILED_QUERIES
+#include <graze/shape/hull/faces-inl.hpp>  // IWYU pragma: export
+#endif

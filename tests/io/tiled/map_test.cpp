@@ -14,10 +14,10 @@
 
 #include <gtest/gtest.h>
 
-#include <graze/broad/touching/relations.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/json_scene.hpp>
 #include <graze/io/tiled/map.hpp>
+#include <graze/query/relation.hpp>
 
 #include "io/tiled_folder.hpp"
 

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <graze/broad/touching/relations.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/relation.hpp>
 #include <graze/scene/update/pair_keeper.hpp>
 
 #include "catalogue.hpp"

@@ -18,7 +18,6 @@
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/contacts/obb/obb_kernels.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/touching/manifolds.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/manifold.hpp>
