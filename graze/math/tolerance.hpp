@@ -114,6 +114,11 @@ inline constexpr double gjk_relative_gap = 1e-12;
 /// four roundings, and the difference and its projection on a unit normal about as many again.
 inline constexpr double convex = 32 * epsilon;
 
+/// The height of a point over a face of the hull that EPA grows is off by less than this times the largest coordinate
+/// times (1 + 1 / the sine of the angle between two sides of the face): sides of points that are themselves rounded
+/// turn the normal by 4 epsilon / sine, which moves points up to four times that coordinate away; doubled.
+inline constexpr double growing_hull = 32 * epsilon;
+
 /// Nearest points that are farther apart than this, relative to the size of the pair, determine the direction of the
 /// shortest separating translation of two round shapes: rounding turns it by less than 1e-9, and the depth depends only
 /// on the square of that.

@@ -5,13 +5,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/convex/depth_face.hpp>
 #include <graze/query/convex/growing_hull.hpp>
 #include <graze/query/convex/inplace_vector.hpp>
 #include <graze/query/convex/wide_support.hpp>
@@ -34,6 +37,8 @@ struct EpaResult {
   Vec<N, double> normal = unit_axis<N>(0);  ///< Of length 1, from a to b: the direction of `upper`.
   Status status = Status::converged;        ///< `best_bound`: the bounds hold, but did not meet.
   int iterations = 0;                       ///< Steps taken, at most 128.
+  detail::Simplex<N> face;  ///< Points of the set of differences whose hull contains normal * upper, up to rounding;
+                            ///< none if the nearest face is curved or only a threshold was asked for.
 };
 
 /// Lets EPA stop early if only the comparison with a threshold matters: as soon as lower > threshold or upper <=
@@ -58,6 +63,7 @@ class Expansion {
   Expansion(Differences& differences, const EpaOptions& options) : differences_(differences), options_(options) {}
 
   EpaResult<N> run(const Simplex<N>& simplex) {
+    for (Dim i = 0; i < N; ++i) differences_.support(unit_axis<N>(i));  // for the resolution
     const std::optional<Start> points = spanning_points(simplex);
     if (points) expand(GrowingHull<N>(points->all()));
     result_.resolution = differences_.resolution();
@@ -69,7 +75,8 @@ class Expansion {
   Point probe(const Point& direction) {
     const Point point = differences_.support(direction);
     const double signed_height = dot(direction, point);
-    result_.gap = std::max(result_.gap, -signed_height);
+    result_.gap =
+        std::max(result_.gap, has_met_ ? std::min(-signed_height, differences_.resolution()) : -signed_height);
     const double height = std::max(signed_height, 0.0);
     if (height < result_.upper) {
       result_.upper = height;
@@ -98,19 +105,55 @@ class Expansion {
 
   /// Moves the hull's face nearest to the origin outward until it is a face of the difference set itself. A face that
   /// has the origin outside comes first, because the shapes may not meet after all.
+  /// Once the bounds have met, a comparison with a threshold is decided; else the search goes on to the face that the
+  /// least translation leads to. What it finds on the way no longer decides whether the shapes meet, because `relation`,
+  /// which asks for a threshold, does not see it.
   void expand(GrowingHull<N> hull) {
     for (; result_.iterations < epa_iteration_limit; ++result_.iterations) {
       const auto face = hull.nearest_face();
       if (!face) break;
+      if (has_met_ && face->height > result_.upper + differences_.resolution()) return;
       const Point point = probe(face->normal);
       const double resolution = differences_.resolution();
       if (result_.gap > resolution) return;
-      result_.lower = std::min(std::max({face->height, result_.lower, 0.0}), result_.upper);
+      raise_lower(face->height);
       result_.holds_origin = face->height >= -resolution;
-      if (result_.holds_origin && is_answered(resolution)) return;
-      if (!hull.insert(point, *face)) break;
+      has_met_ = has_met_ || (result_.holds_origin && is_answered(resolution));
+      if (has_met_ && !std::isnan(options_.threshold)) return;
+      if (rises_above(face->normal, face->height, point) && hull.insert(point, *face)) continue;
+      const DepthFace<N> exact = exact_face(hull.corners_of(*face));
+      if (max_abs(exact.normal - face->normal) > 2 * tolerance::epsilon && max_abs(exact.normal) > 0) {
+        const Point other = probe(exact.normal);
+        if (rises_above(exact.normal, exact.height, other) && hull.insert(other, *face)) continue;
+      }
+      if (exact.outside <= tolerance::rounding * hull.size()) {
+        keep(exact.normal, hull.corners_of(*face));
+        if (has_met_ || is_answered(resolution)) return;
+        most_lower_ = std::min(most_lower_, exact.height);
+      }
+      if (!hull.settle(*face)) break;
     }
-    result_.status = Status::best_bound;
+    if (!has_met_) result_.status = Status::best_bound;
+  }
+
+  void raise_lower(double height) {
+    result_.lower = std::min({std::max({height, result_.lower, 0.0}), result_.upper, most_lower_});
+  }
+
+  static bool rises_above(const Point& normal, double height, const Point& point) {
+    return dot(normal, point) - height > 2 * tolerance::epsilon * dot(abs(normal), abs(point));
+  }
+
+  DepthFace<N> exact_face(const HullFaceCorners<N>& corners) const {
+    std::array<RoundedVec<N>, static_cast<std::size_t>(N)> exact;
+    for (std::size_t i = 0; i < corners.size(); ++i) exact[i] = differences_.exact(corners[i]);
+    return depth_face<N>(exact);
+  }
+
+  void keep(const Point& normal, const HullFaceCorners<N>& corners) {
+    result_.normal = normal;
+    result_.face.size = 0;
+    for (const Point& corner : corners) result_.face.push(corner);
   }
 
   bool is_answered(double resolution) const {
@@ -121,6 +164,8 @@ class Expansion {
   Differences& differences_;
   EpaOptions options_;
   EpaResult<N> result_;
+  bool has_met_ = false;                                         ///< The bounds have met.
+  double most_lower_ = std::numeric_limits<double>::infinity();  ///< Of faces of which no more can be told.
 };
 
 /// For numbers in range.
@@ -128,7 +173,6 @@ template <Convex A, SameDimension<A> B>
 EpaResult<dimension_of<A>> usual_epa(const A& a, const B& b, const Simplex<dimension_of<A>>& simplex,
                                      const EpaOptions& options = {}) {
   Difference<A, B> differences(a, b);
-  for (Dim i = 0; i < dimension_of<A>; ++i) differences.support(unit_axis<dimension_of<A>>(i));  // for the resolution
   return Expansion<Difference<A, B>>(differences, options).run(simplex);
 }
 
@@ -139,6 +183,7 @@ EpaResult<N> resized(EpaResult<N> result, const PowerOfTwo& power) {
   result.upper = power(result.upper);
   result.gap = power(result.gap);
   result.resolution = resized_distance(result.resolution, power);
+  for (std::size_t i = 0; i < result.face.size; ++i) result.face.points[i] = power(result.face.points[i]);
   return result;
 }
 
@@ -161,7 +206,7 @@ template <Convex A, Convex B>
 /// Bounds on the depth of two convex shapes that meet, given the simplex with which `gjk` ended. Flat sets of
 /// differences, as of two coplanar triangles, have depth 0. At most 128 steps; if these or the precision end before the
 /// bounds meet, the status says so and the bounds still hold. If both shapes are in double, coordinates may be any
-/// finite numbers. Allocates nothing on the heap; uses up to 18 KiB of stack. `contact` uses closed forms where there
+/// finite numbers. Allocates nothing on the heap; uses up to 22 KiB of stack. `contact` uses closed forms where there
 /// are any and is cheaper.
 template <Convex A, SameDimension<A> B>
 EpaResult<dimension_of<A>> epa(const A& a, const B& b, const detail::Simplex<dimension_of<A>>& simplex,

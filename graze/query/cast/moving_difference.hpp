@@ -63,8 +63,11 @@ class MovingDifference {
     return known;
   }
 
-  /// The moved point of a that a difference was made from.
-  Point on_a(const Point& difference) const { return moved(made(difference).corner.on_a); }
+  /// What a difference was made of: the moved point of a, and that of b.
+  CornerOfDifference<N> witness(const Point& difference) const {
+    const CornerOfDifference<N>& corner = made(difference).corner;
+    return {moved(corner.on_a), corner.on_b};
+  }
 
  private:
   struct Made {

@@ -22,8 +22,9 @@
 
 namespace graze::detail {
 
-/// The maximum number of support points: two complete runs, and the directions that prove bounds in between.
-inline constexpr std::size_t most_supports = 2 * static_cast<std::size_t>(gjk_iteration_limit) + 32;
+/// How many support points are asked for: two walks to the end, or one and an expansion that asks twice at a step, and
+/// the directions that bounds are proved with in between.
+inline constexpr std::size_t most_supports = 3 * static_cast<std::size_t>(gjk_iteration_limit) + 32;
 
 /// The Minkowski difference a - b, which remembers the points that its support points were made from.
 template <Convex A, Convex B>
@@ -39,24 +40,38 @@ class WitnessedDifference {
     const Point on_a = wide_support(a_, direction);
     const Point on_b = wide_support(b_, -direction);
     largest_ = std::max({largest_, max_abs(on_a), max_abs(on_b)});
-    if (count_ < witnesses_.size()) witnesses_[count_++] = {on_a - on_b, on_a};
+    if (count_ < witnesses_.size()) witnesses_[count_++] = {on_a, on_b};
     return on_a - on_b;
   }
 
   double resolution() const { return std::max(support_error<A>, support_error<B>) * largest_; }
 
-  /// The point of a that a support point was made from.
-  Point on_a(const Point& difference) const {
-    const auto* const end = witnesses_.begin() + count_;
-    return std::find_if(witnesses_.begin(), end, [&](const Witness& w) { return w.difference == difference; })->on_a;
+  const A& a() const { return a_; }
+  const B& b() const { return b_; }
+
+  /// Support points of before say no more of what cannot be resolved: so that is as in a search that begins anew.
+  void begin_anew() { largest_ = std::max(largest_within(a_), largest_within(b_)); }
+
+  /// What a support point was made of.
+  struct Witness {
+    Point on_a;
+    Point on_b;
+  };
+
+  /// There is one for each, unless it is no number: then it is any.
+  const Witness& witness(const Point& difference) const {
+    std::size_t i = 0;
+    while (i + 1 < count_ && witnesses_[i].on_a - witnesses_[i].on_b != difference) ++i;
+    return witnesses_[i];
+  }
+
+  /// A support point before it was rounded.
+  RoundedVec<dimension> exact(const Point& difference) const {
+    const Witness& made_of = witness(difference);
+    return exact_difference<dimension>(made_of.on_a, made_of.on_b);
   }
 
  private:
-  struct Witness {
-    Point difference;
-    Point on_a;
-  };
-
   const A& a_;
   const B& b_;
   double largest_;
@@ -107,10 +122,11 @@ class SharesInSimplex {
     for (Vec<3, double>& edge : edges_) edge *= scale_;
   }
 
-  /// Each from zero to one, and the sum at most one. If a simplex is almost flat, rounding of its coordinates is large;
-  /// what they leave of the point is distributed again.
+  /// From zero to one, and no more than one in all. Where a tetrahedron is almost flat, its shares are rounded much;
+  /// what they leave of the point is shared out again.
   Shares of(const Vec<N, double>& point) const {
     constexpr int rounds = 3;
+    if (count_ == 2) return of_triangle(lifted(point - first_) * scale_);
     Shares shares{};
     Vec<3, double> rest = lifted(point - first_) * scale_;
     for (int round = 0; round < rounds; ++round) {
@@ -130,7 +146,52 @@ class SharesInSimplex {
   }
 
  private:
-  /// None for a simplex that is flat up to rounding.
+  /// Of a triangle, seen from one end of its longest side. However thin it is, no share moves the point by more than
+  /// rounding: the share of the third corner is cut where it would leave the place along that side out of reach, unless
+  /// the angle there is so wide that the place is the lesser evil.
+  Shares of_triangle(const Vec<3, double>& point) const {
+    const Vec<3, double>& u = edges_[0];
+    const Vec<3, double>& v = edges_[1];
+    const Vec<3, double> w = v - u;
+    const double longest = std::max({dot(u, u), dot(v, v), dot(w, w)});
+    if (dot(u, u) == longest) {
+      const auto [along, beside] = shares_by(u, v, point);
+      return {along, beside, 0};
+    }
+    if (dot(v, v) == longest) {
+      const auto [along, beside] = shares_by(v, u, point);
+      return {beside, along, 0};
+    }
+    const auto [along, beside] = shares_by(w, -u, point - u);
+    return {std::max(0.0, 1 - along - beside), along, 0};
+  }
+
+  /// `point` as a sum of shares of the longest side of a triangle and of another one, from their common corner.
+  static std::array<double, 2> shares_by(const Vec<3, double>& longest, const Vec<3, double>& other,
+                                         const Vec<3, double>& point) {
+    const double whole = dot(longest, longest);
+    if (!(whole > 0)) return {};
+    const auto place_along = [&](const Vec<3, double>& v) {
+      const double place = dot(v, longest) / whole;
+      return place + dot(v - longest * place, longest) / whole;
+    };
+    const double place = std::clamp(place_along(point), 0.0, 1.0);
+    const double corner = std::clamp(place_along(other), 0.0, 1.0);  // it lies between the ends of the longest side
+    const Vec<3, double> once = other - longest * place_along(other);
+    const Vec<3, double> across = once - longest * place_along(once);
+    const double width = dot(across, across);
+    double beside = width > 0 ? std::clamp(dot(point, across) / width, 0.0, 1.0) : 0.0;
+    const auto cut = [&](double from_corner, double from_place) {
+      if (beside * from_corner > from_place && from_corner * from_corner * whole > width) {
+        beside = from_place / from_corner;
+      }
+    };
+    cut(corner, place);
+    cut(1 - corner, 1 - place);
+    return {std::clamp(place - beside * corner, 0.0, 1 - beside), beside};
+  }
+
+  /// None of a simplex that is flat up to rounding.
   Shares solve(const Vec<3, double>& point) const {
     const auto& [u, v, w] = edges_;
     Shares shares{};
@@ -138,10 +199,6 @@ class SharesInSimplex {
     if (count_ == 1) {
       whole = dot(u, u);
       shares[0] = dot(point, u);
-    } else if (count_ == 2) {
-      const Vec<3, double> n = accurate_cross(u, v);
-      whole = dot(n, n);
-      shares = {dot(accurate_cross(point, v), n), dot(accurate_cross(u, point), n), 0};
     } else if (count_ == 3) {
       whole = dot(accurate_cross(u, v), w);
       shares = {dot(accurate_cross(v, w), point), dot(accurate_cross(w, u), point), dot(accurate_cross(u, v), point)};
@@ -157,7 +214,26 @@ class SharesInSimplex {
   double scale_ = 1;
 };
 
-/// GJK's final state besides the points.
+/// The points of a and b of which a point of a simplex is the difference; `differences` remember what its corners were
+/// made of.
+template <class Differences>
+ClosestPair<Differences::dimension> pair_at(const Differences& differences,
+                                            const Simplex<Differences::dimension>& simplex,
+                                            const Vec<Differences::dimension, double>& point) {
+  constexpr Dim N = Differences::dimension;
+  const std::array<double, 3> shares = SharesInSimplex<N>(simplex).of(point);
+  // Corners are added to the first one, so that nothing is lost far from the origin.
+  const auto first = differences.witness(simplex.points[0]);
+  ClosestPair<N> pair{first.on_a, first.on_b, -point, dot(point, point)};
+  for (std::size_t i = 1; i < simplex.size; ++i) {
+    const auto next = differences.witness(simplex.points[i]);
+    pair.on_a += (next.on_a - first.on_a) * shares[i - 1];
+    pair.on_b += (next.on_b - first.on_b) * shares[i - 1];
+  }
+  return pair;
+}
+
+/// How GJK ended, beside the points.
 template <Dim N>
 struct ConvexCores {
   ClosestPair<N> closest;
@@ -168,19 +244,9 @@ struct ConvexCores {
 /// From GJK's result; `differences` remember the points that their support points were made from.
 template <class Differences>
 ConvexCores<Differences::dimension> closest_from(Differences& differences, GjkResult<Differences::dimension> found) {
-  constexpr Dim N = Differences::dimension;
   go_on(differences, found);
-  const std::array<double, 3> shares = SharesInSimplex<N>(found.simplex).of(found.separation);
-  // Corners are added relative to the first one, so that nothing is lost far from the origin.
-  const Vec<N, double> first = differences.on_a(found.simplex.points[0]);
-  const Vec<N, double> first_b = first - found.simplex.points[0];
-  ClosestPair<N> pair{first, first_b, -found.separation, dot(found.separation, found.separation)};
-  for (std::size_t i = 1; i < found.simplex.size; ++i) {
-    const Vec<N, double> on_a = differences.on_a(found.simplex.points[i]);
-    pair.on_a += (on_a - first) * shares[i - 1];
-    pair.on_b += ((on_a - found.simplex.points[i]) - first_b) * shares[i - 1];
-  }
-  return {pair, found.status, std::max(0.0, found.upper - found.lower) + found.resolution};
+  return {pair_at(differences, found.simplex, found.separation), found.status,
+          std::max(0.0, found.upper - found.lower) + found.resolution};
 }
 
 /// The nearest points of two cores, or a common point.

@@ -66,16 +66,29 @@ Penetration<dimension_of<A>> penetration_of_convex_apart(const A& a, const B& b,
   return result;
 }
 
-/// Cores that overlap, up to GJK's resolution: EPA, which searches for a depth, may not notice a gap, which can be as
-/// large as GJK's `apart`.
+/// What EPA finds of two cores that meet, or do so up to GJK's resolution, given how GJK ended.
+template <class Differences>
+EpaResult<Differences::dimension> depth_from(Differences& differences,
+                                             const GjkResult<Differences::dimension>& distance) {
+  differences.begin_anew();  // as for `relation`, which must say the same of whether they meet
+  return Expansion<Differences>(differences, EpaOptions{}).run(distance.simplex);
+}
+
+/// Where no face says at which points the cores touch once they are parted, GJK does, and how far they are apart then.
+/// EPA, which looks for a depth, need not see that there is none, but a distance.
 template <Convex A, Convex B>
-Penetration<dimension_of<A>> penetration_of_depth(const A& a, const B& b, const EpaResult<dimension_of<A>>& depth,
-                                                  double apart, const Radii& radii) {
+Penetration<dimension_of<A>> penetration_of_depth(const WitnessedDifference<A, B>& differences,
+                                                  const GjkResult<dimension_of<A>>& distance,
+                                                  const EpaResult<dimension_of<A>>& depth, const Radii& radii) {
   constexpr Dim N = dimension_of<A>;
-  const PartingAxis<N> axis{depth.normal, -depth.upper};
-  Penetration<N> result = widened_along(axis, points_after(a, b, depth.normal * depth.upper), radii);
+  const Vec<N, double> way = depth.normal * depth.upper;
+  const bool has_face = depth.face.size > 0;
+  const ClosestPair<N> pair =
+      has_face ? pair_at(differences, depth.face, way) : points_after(differences.a(), differences.b(), way);
+  Penetration<N> result = widened_along(PartingAxis<N>{depth.normal, -depth.upper}, pair, radii);
   result.status = depth.status;
-  result.error += std::max(0.0, depth.upper - depth.lower) + std::max(depth.gap, apart) + depth.resolution;
+  result.error += std::max(0.0, depth.upper - depth.lower) + std::max(depth.gap, distance.upper) + depth.resolution;
+  if (!has_face) result.error += std::sqrt(pair.squared);
   return result;
 }
 
@@ -84,12 +97,12 @@ Penetration<dimension_of<A>> penetration_of_convex(const A& a, const B& b) {
   const auto& core_a = core(a);
   const auto& core_b = core(b);
   const Radii radii{core_radius(a), core_radius(b)};
-  const GjkResult<dimension_of<A>> distance = usual_gjk(core_a, core_b);
+  WitnessedDifference differences(core_a, core_b);
+  const GjkResult<dimension_of<A>> distance = gjk_on(differences, GjkOptions{});
   const bool are_apart = (radii.a > 0 || radii.b > 0) && distance.lower > distance.resolution;
   Penetration<dimension_of<A>> result =
-      are_apart
-          ? penetration_of_convex_apart(core_a, core_b, radii)
-          : penetration_of_depth(core_a, core_b, usual_epa(core_a, core_b, distance.simplex), distance.upper, radii);
+      are_apart ? penetration_of_convex_apart(core_a, core_b, radii)
+                : penetration_of_depth(differences, distance, depth_from(differences, distance), radii);
   result.error += tolerance::rounding * (radii.a + radii.b);
   return result;
 }
@@ -120,11 +133,12 @@ std::optional<Penetration<dimension_of<A>>> penetration_of_convex_if_met(const A
   }
   const auto& core_a = core(a);
   const auto& core_b = core(b);
-  const GjkResult<dimension_of<A>> distance = usual_gjk(core_a, core_b, GjkOptions{0});
+  WitnessedDifference differences(core_a, core_b);
+  const GjkResult<dimension_of<A>> distance = gjk_on(differences, GjkOptions{0});
   if (!(distance.upper >= 0) || distance.lower > distance.resolution) return std::nullopt;
-  const EpaResult<dimension_of<A>> depth = usual_epa(core_a, core_b, distance.simplex);
+  const EpaResult<dimension_of<A>> depth = depth_from(differences, distance);
   if (depth.gap > depth.resolution) return std::nullopt;
-  return penetration_of_depth(core_a, core_b, depth, distance.upper, {0, 0});
+  return penetration_of_depth(differences, distance, depth, {0, 0});
 }
 
 template <Dim N, class T, Convex B>

@@ -13,7 +13,9 @@
 #include <span>
 
 #include <graze/math/orientation.hpp>
+#include <graze/math/orientation_3d.hpp>
 #include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/convex/inplace_vector.hpp>
 #include <graze/shape/hull/lexicographic.hpp>
@@ -65,9 +67,15 @@ struct HullFace {
   std::array<std::uint16_t, static_cast<std::size_t>(N)> corners;
   Vec<N, double> normal;
   double height;
+  double slack = 0;         ///< How far off heights over the plane may be, relative to the largest coordinate.
+  bool is_settled = false;  ///< It is not the nearest any more, whatever its height.
 };
 
-/// How many points a hull may start with (asserted), and how many more may be added.
+/// The corners of a face, in 3D counter-clockwise from outside.
+template <Dim N>
+using HullFaceCorners = std::array<Vec<N, double>, static_cast<std::size_t>(N)>;
+
+/// How many points a hull may begin with (asserted), and how many more may be put in.
 template <Dim N>
 inline constexpr std::size_t most_hull_starts = 3 * static_cast<std::size_t>(N) + 1;
 inline constexpr std::size_t most_hull_inserts = 128;
@@ -75,12 +83,13 @@ inline constexpr std::size_t most_hull_inserts = 128;
 template <Dim N>
 using HullPoints = InplaceVector<Vec<N, double>, most_hull_starts<N> + most_hull_inserts>;
 
-/// Starts with a few points and grows by others, within these limits. Does not allocate: in 2D it takes 4 KiB of the
-/// stack, in 3D 18 KiB while it grows.
+/// Begins with a few points and grows by others, as many as said above. Which faces a point lies beyond is decided
+/// exactly, so that no face turns inside out, however thin. Takes no memory from the heap: in 2D 4 KiB of the stack, in
+/// 3D 22 KiB while it grows.
 template <Dim N>
 class GrowingHull;
 
-/// 2D: a polygon, counter-clockwise from its first corner by coordinates.
+/// In 2D: a polygon, counter-clockwise from its first corner by coordinates.
 template <>
 class GrowingHull<2> {
  public:
@@ -95,20 +104,41 @@ class GrowingHull<2> {
     corners_ = monotone_chain(sorted);
   }
 
+  /// The largest coordinate.
+  double size() const {
+    double size = 0;
+    for (const Point& corner : corners_) size = std::max(size, max_abs(corner));
+    return size;
+  }
+
+  /// None when every face is settled, or there is none.
   std::optional<HullFace<2>> nearest_face() const {
     if (corners_.size() < 3) return std::nullopt;
     HullFace<2> nearest{{}, Point(0.0), std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (is_settled(i)) continue;
       const Point edge = corners_[next(i)] - corners_[i];
       const Point normal = -perpendicular(edge) / std::sqrt(dot(edge, edge));  // corners are distinct
       const double height = dot(normal, corners_[i]);
       if (height < nearest.height) nearest = {{number(i), number(next(i))}, normal, height};
     }
+    if (nearest.height == std::numeric_limits<double>::infinity()) return std::nullopt;
     return nearest;
   }
 
-  /// Adds a point beyond a face; false if it is in the hull, or the hull is full. It replaces the corners between the
-  /// edges that it sees, and those on whose line it is, which are consecutive.
+  HullFaceCorners<2> corners_of(const HullFace<2>& face) const {
+    return {corners_[face.corners[0]], corners_[face.corners[1]]};
+  }
+
+  /// The face is not the nearest any more, whatever its height. False if so many are that there is no room for another.
+  bool settle(const HullFace<2>& face) {
+    if (settled_.is_full()) return false;
+    settled_.push_back(corners_of(face));
+    return true;
+  }
+
+  /// Adds a point beyond a face; false when it lies in the hull, or there is no more room. In place of the corners
+  /// between the edges that it can see, and those on whose line it lies, which are all in one row.
   bool insert(const Point& point, const HullFace<2>&) {
     const auto is_beyond = [&](std::size_t i) { return side(i, point) < 0; };
     const auto is_inside = [&](std::size_t i) { return side(i, point) > 0; };
@@ -137,10 +167,16 @@ class GrowingHull<2> {
   /// For the edge from corner i on: 1 on the inner side, -1 beyond, 0 on its line.
   int side(std::size_t i, const Point& point) const { return orientation(corners_[i], corners_[next(i)], point); }
 
+  bool is_settled(std::size_t i) const {
+    return std::find(settled_.begin(), settled_.end(), HullFaceCorners<2>{corners_[i], corners_[next(i)]}) !=
+           settled_.end();
+  }
+
   HullPoints<2> corners_;
+  InplaceVector<HullFaceCorners<2>, 8> settled_;
 };
 
-/// 3D: triangles, corners counter-clockwise as seen from outside.
+/// In 3D: triangles, corners counter-clockwise from outside.
 template <>
 class GrowingHull<3> {
  public:
@@ -149,6 +185,8 @@ class GrowingHull<3> {
   /// The hull of points that are not all coplanar.
   explicit GrowingHull(std::span<const Point> points) : points_(points) {
     assert(points.size() <= most_hull_starts<3>);
+    for (const Point& point : points_) size_ = std::max(size_, max_abs(point));
+    scale_ = scale_to_moderate(size_);
     const auto start = largest_tetrahedron();
     if (!start) return;
     const auto [a, b, c, d] = *start;
@@ -160,18 +198,34 @@ class GrowingHull<3> {
     }
   }
 
-  /// None if every face is too thin to have a normal.
+  /// The largest coordinate.
+  double size() const { return size_; }
+
+  /// None when every face is settled, or too thin to have a normal.
   std::optional<HullFace<3>> nearest_face() const {
-    const HullFace<3>* nearest = std::min_element(faces_.begin(), faces_.end(),
-                                                  [](const auto& a, const auto& b) { return a.height < b.height; });
-    if (nearest == faces_.end() || nearest->height == std::numeric_limits<double>::infinity()) return std::nullopt;
+    const HullFace<3>* nearest = nullptr;
+    for (const HullFace<3>& face : faces_) {
+      if (!face.is_settled && (nearest == nullptr || face.height < nearest->height)) nearest = &face;
+    }
+    if (nearest == nullptr || nearest->height == std::numeric_limits<double>::infinity()) return std::nullopt;
     return *nearest;
   }
 
-  /// Adds a point beyond a face; false if it is not new, no face sees it, or the hull is full.
+  HullFaceCorners<3> corners_of(const HullFace<3>& face) const {
+    return {points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]};
+  }
+
+  /// The face is not the nearest any more, whatever its height.
+  bool settle(const HullFace<3>& settled) {
+    for (HullFace<3>& face : faces_) face.is_settled = face.is_settled || face.corners == settled.corners;
+    return true;
+  }
+
+  /// Adds a point beyond a face; false when it is not new, no face sees it, or there is no more room.
   bool insert(const Point& point, const HullFace<3>&) {
     if (std::find(points_.begin(), points_.end(), point) != points_.end() || points_.is_full()) return false;
     points_.push_back(point);
+    size_ = std::max(size_, max_abs(point));
     return grow(points_.size() - 1);
   }
 
@@ -194,19 +248,18 @@ class GrowingHull<3> {
   std::optional<std::array<std::size_t, 4>> largest_tetrahedron() const {
     std::optional<std::array<std::size_t, 4>> best;
     double largest = 0;
-    double size = 0;
-    for (const Point& point : points_) size = std::max(size, max_abs(point));
-    const double scale = scale_to_moderate(size);
     const std::size_t count = points_.size();
     for (std::size_t a = 0; a < count; ++a) {
       for (std::size_t b = a + 1; b < count; ++b) {
         for (std::size_t c = b + 1; c < count; ++c) {
-          const Point normal = cross((points_[b] - points_[a]) * scale, (points_[c] - points_[a]) * scale);
+          const Point normal = cross((points_[b] - points_[a]) * scale_, (points_[c] - points_[a]) * scale_);
           for (std::size_t d = c + 1; d < count; ++d) {
-            const double volume = dot(normal, (points_[d] - points_[a]) * scale);
+            const double volume = dot(normal, (points_[d] - points_[a]) * scale_);
             if (!(std::fabs(volume) > largest)) continue;
+            const int side = side_of({a, b, c}, d);
+            if (side == 0) continue;
             largest = std::fabs(volume);
-            best = volume < 0 ? std::array{a, b, c, d} : std::array{a, c, b, d};
+            best = side < 0 ? std::array{a, b, c, d} : std::array{a, c, b, d};
           }
         }
       }
@@ -214,37 +267,54 @@ class GrowingHull<3> {
     return best;
   }
 
-  /// By plain products if these lose a few bits at most; for thin triangles, whose products nearly cancel, accurately.
-  static Point cross_of_sides(const Point& u, const Point& v) {
-    constexpr double least_sine_squared = 1.0 / 64;
-    const Point plain = cross(u, v);
-    const double most = least_sine_squared * dot(u, u) * dot(v, v);
-    constexpr double least = 0x1p-900;
-    return most > least && dot(plain, plain) > most ? plain : accurate_cross(u, v);
+  /// 1 if a point is on the side of the plane through three others from which these run counter-clockwise, -1 if on the
+  /// other, 0 if on the plane; exactly.
+  int side_of(const std::array<std::size_t, 3>& plane, std::size_t point) const {
+    const auto at = [this](std::size_t i) { return points_[i] * scale_; };
+    return orientation(at(plane[0]), at(plane[1]), at(plane[2]), at(point));
   }
 
+  /// The normal of a triangle with two sides u and v is made of plain products where these lose a few bits at most; of
+  /// thin triangles, whose products nearly cancel, with care.
   void add_face(std::size_t a, std::size_t b, std::size_t c) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double least_sine_squared = 1.0 / 64;
+    constexpr double least = 0x1p-900;
     const auto number = [](std::size_t i) { return static_cast<Corner>(i); };
-    HullFace<3> face{{number(a), number(b), number(c)}, Point(0.0), std::numeric_limits<double>::infinity()};
-    const Point normal = of_moderate_size(cross_of_sides(points_[b] - points_[a], points_[c] - points_[a]));
-    const double size = std::sqrt(dot(normal, normal));
-    if (size > 0) {
-      face.normal = normal / size;
+    HullFace<3> face{{number(a), number(b), number(c)}, Point(0.0), infinity, infinity};
+    const Point u = (points_[b] - points_[a]) * scale_;
+    const Point v = (points_[c] - points_[a]) * scale_;
+    const double most_squared = dot(u, u) * dot(v, v);
+    Point normal = cross(u, v);
+    double squared = dot(normal, normal);
+    if (!(most_squared > least && squared > least_sine_squared * most_squared)) {
+      normal = accurate_cross(u, v);
+      squared = dot(normal, normal);
+    }
+    if (squared > 0) {
+      face.normal = normal / std::sqrt(squared);
       face.height =
           std::max({dot(face.normal, points_[a]), dot(face.normal, points_[b]), dot(face.normal, points_[c])});
+      face.slack = tolerance::growing_hull * (1 + std::sqrt(most_squared / squared));
     }
     faces_.push_back(face);
   }
 
-  /// Replaces the faces that see a new point by a cone of faces from the horizon to the point. The horizon consists of
-  /// the edges of visible faces whose other side is not visible.
+  bool is_seen(const HullFace<3>& face, std::size_t point) const {
+    const double over = dot(face.normal, points_[point]) - face.height;
+    if (std::fabs(over) > face.slack * size_) return over > 0;
+    return side_of({face.corners[0], face.corners[1], face.corners[2]}, point) > 0;
+  }
+
+  /// Replaces the faces that a new point can see by a cone of faces from their rim to the point. The rim is made of the
+  /// edges of seen faces whose other side is not seen.
   bool grow(std::size_t added) {
-    const auto is_seen = [&](const HullFace<3>& face) { return dot(face.normal, points_[added]) > face.height; };
-    HullFace<3>* kept = std::find_if(faces_.begin(), faces_.end(), is_seen);
+    const auto is_visible = [&](const HullFace<3>& face) { return is_seen(face, added); };
+    HullFace<3>* kept = std::find_if(faces_.begin(), faces_.end(), is_visible);
     if (kept == faces_.end()) return false;
     Edges edges;
     for (const HullFace<3>* face = kept; face != faces_.end(); ++face) {
-      if (is_seen(*face)) {
+      if (is_visible(*face)) {
         for (std::size_t i = 0; i < 3; ++i) edges.push_back({face->corners[i], face->corners[(i + 1) % 3]});
       } else {
         *kept++ = *face;
@@ -261,6 +331,8 @@ class GrowingHull<3> {
   }
 
   HullPoints<3> points_;
+  double size_ = 0;   ///< The largest coordinate.
+  double scale_ = 1;  ///< A power of two that brings it near 1.
   InplaceVector<HullFace<3>, most_faces> faces_;
 };
 

@@ -113,7 +113,10 @@ class Difference {
     return on_a - on_b;
   }
 
-  /// The resolution: smaller distances cannot be distinguished from zero.
+  /// Of a support point: as exact as it is known.
+  static RoundedVec<dimension> exact(const Point& difference) { return {difference}; }
+
+  /// What cannot be resolved: distances below it are zero for all we know.
   double resolution() const { return std::max(support_error<A>, support_error<B>) * largest_; }
 
  private:

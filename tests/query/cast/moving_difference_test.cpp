@@ -35,7 +35,7 @@ TEST(MovingDifference, SupportPointsAreThoseOfTheShapesWhereTheyAre) {
   for (const Point& direction : {Point(1, 2, 3), Point(-1, 0.5, 2), Point(0.1, -3, 1)}) {
     const Point difference = moving.support(direction);
     EXPECT_LT(max_abs(difference - placed.support(direction)), 1e-14);
-    EXPECT_LT(max_abs(moving.on_a(difference) - support(there, direction)), 1e-14);
+    EXPECT_LT(max_abs(moving.witness(difference).on_a - support(there, direction)), 1e-14);
   }
   EXPECT_GT(moving.resolution(), 0);
   EXPECT_LT(moving.resolution(), 1e-12);
@@ -59,7 +59,7 @@ TEST(MovingDifference, CornersThatWereKnownAreFoundWhereTheyHaveMovedTo) {
     const auto& corner = corners.corners[i];
     EXPECT_EQ(moved.points[i], transformed(corner.on_a, after) - corner.on_b);
     EXPECT_EQ(simplex.points[i], transformed(corner.on_a, before) - corner.on_b);
-    EXPECT_EQ(late.on_a(moved.points[i]), transformed(corner.on_a, after));
+    EXPECT_EQ(late.witness(moved.points[i]).on_a, transformed(corner.on_a, after));
   }
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <graze/math/tolerance.hpp>
 #include <graze/query/closest/convex.hpp>
 #include <graze/shape/polytope.hpp>
 
@@ -50,7 +52,25 @@ TEST(SharesInSimplex, AreOfTheSimplexForPointsBesideIt) {
 
 TEST(SharesInSimplex, OfAFlatSimplexAreFinite) {
   expect_shares({{1, 0, 0}, {1, 0, 0}}, {1, 0, 0}, {0, 0, 0});
-  expect_shares({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {1, 1, 1}, {0, 0, 0});
+  expect_shares({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {1, 1, 1}, {0, 0.5, 0});
+}
+
+// Points of triangles that are 1e-9 to 1e-17 of their length wide, in every order of the corners.
+TEST(SharesInSimplex, OfAThinTriangleLeaveNothingOfThePoint) {
+  for (int digits = 9; digits <= 17; ++digits) {
+    std::vector<V3> corners{{-1, -2, 0.5}, {3, 1, 1}, {1.7, 0.1, 0.9}};
+    corners[2] = corners[0] * 0.3 + corners[1] * 0.7 + V3(1, -2, 3) * std::pow(10, -digits);
+    std::sort(corners.begin(), corners.end(), [](const V3& p, const V3& q) { return p.x < q.x; });
+    do {
+      for (const V3& weights : {V3(0.2, 0.3, 0.5), V3(0, 0.25, 0.75), V3(1, 0, 0), V3(0.0, 1e-9, 1 - 1e-9)}) {
+        const V3 point = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
+        const std::array<double, 3> shares = SharesInSimplex<3>(simplex_of(corners)).of(point);
+        const V3 found = corners[0] + (corners[1] - corners[0]) * shares[0] + (corners[2] - corners[0]) * shares[1];
+        EXPECT_LE(length(found - point), 8 * tolerance::epsilon) << digits;
+        EXPECT_LE(shares[0] + shares[1], 1 + tolerance::epsilon);
+      }
+    } while (std::next_permutation(corners.begin(), corners.end(), [](const V3& p, const V3& q) { return p.x < q.x; }));
+  }
 }
 
 // A tetrahedron a million times longer than thick, and a point in it.
