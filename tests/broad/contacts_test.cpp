@@ -19,6 +19,7 @@
 
 #include "catalogue.hpp"
 #include "query/every_pair.hpp"
+#include "query/grazing_rays.hpp"
 #include "thread_executor.hpp"
 
 namespace graze::contacts_test {
@@ -30,11 +31,33 @@ struct Cases {
   std::vector<AnyShape<N, T>> shapes;
   std::vector<Pair> candidates;
 
-  explicit Cases(test::CaseKind kind) {
-    const auto add = [this](const auto& pair) {
-      if (is_valid(pair.first) && is_valid(pair.second)) shapes.insert(shapes.end(), {pair.first, pair.second});
-    };
-    test::for_each_case<N, T>(kind, std::max<std::size_t>(4, test::number_of_cases(4)), add, [] { return true; });
+  static Cases of(test::CaseKind kind) {
+    Cases cases;
+    test::for_each_case<N, T>(
+        kind, std::max<std::size_t>(4, test::number_of_cases(4)),
+        [&cases](const auto& pair) { cases.add(pair.first, pair.second); }, [] { return true; });
+    cases.choose_candidates();
+    return cases;
+  }
+
+  static Cases of_grazing_rays() {
+    Cases cases;
+    test::check_property([&cases] {
+      test::for_rays_past_a_shape<N, T>([&cases](const AnyShape<N, T>& shape, const Ray<N, T>& ray) {
+        cases.add(shape, ray);
+        cases.add(shape, test::beginning_of(ray));
+        cases.add(compound_of<N, T>({shape}), ray);
+      });
+    });
+    cases.choose_candidates();
+    return cases;
+  }
+
+  void add(const AnyShape<N, T>& a, const AnyShape<N, T>& b) {
+    if (is_valid(a) && is_valid(b)) shapes.insert(shapes.end(), {a, b});
+  }
+
+  void choose_candidates() {
     for (std::uint32_t i = 0; i + 3 < shapes.size(); i += 2) {
       for (const std::uint32_t step : {1U, 2U, 3U}) candidates.push_back({i, i + step});
       candidates.push_back({i + 1, i});  // in the other order, too
@@ -61,7 +84,7 @@ TYPED_TEST(Contacts, AreThoseOfSingleCallsForEveryTwoTypesWhoeverRunsThem) {
   const test::ThreadExecutor threads(3);
   for (std::size_t kind = 0; kind < test::case_kind_count; ++kind) {
     SCOPED_TRACE(std::string(test::case_kind_names[kind]));
-    const Cases<N, T> cases(static_cast<test::CaseKind>(kind));
+    const auto cases = Cases<N, T>::of(static_cast<test::CaseKind>(kind));
     const std::vector<PairContact<N, T>> expected = cases.by_single_calls();
     EXPECT_GT(expected.size(), 256U);  // several tasks
     EXPECT_LT(expected.size(), cases.candidates.size());
@@ -72,12 +95,19 @@ TYPED_TEST(Contacts, AreThoseOfSingleCallsForEveryTwoTypesWhoeverRunsThem) {
   }
 }
 
+TYPED_TEST(Contacts, OfGrazingRaysAndSegmentsAreThoseOfSingleCalls) {
+  const auto cases = Cases<TypeParam::dimension, typename TypeParam::scalar>::of_grazing_rays();
+  const auto expected = cases.by_single_calls();
+  EXPECT_GT(expected.size(), 256U);
+  EXPECT_TRUE(contacts(cases.shapes, cases.candidates) == expected);
+}
+
 TYPED_TEST(Contacts, OfShapesKnownToTouchAreThoseOfSingleCallsToo) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
   for (std::size_t kind = 0; kind < test::case_kind_count; ++kind) {
     SCOPED_TRACE(std::string(test::case_kind_names[kind]));
-    const Cases<N, T> cases(static_cast<test::CaseKind>(kind));
+    const auto cases = Cases<N, T>::of(static_cast<test::CaseKind>(kind));
     const std::vector<PairContact<N, T>> expected = cases.by_single_calls();
     std::vector<PairContact<N, T>> found(expected.size());
     std::vector<detail::ShapesToContact<N, T>> pairs(expected.size());

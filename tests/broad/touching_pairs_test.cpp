@@ -19,6 +19,7 @@
 
 #include "catalogue.hpp"
 #include "query/every_pair.hpp"
+#include "query/grazing_rays.hpp"
 #include "simd_targets.hpp"
 #include "thread_executor.hpp"
 
@@ -61,20 +62,14 @@ class TouchingPairs : public testing::Test {
  protected:
   static constexpr Dim dimension = Space::dimension;
   using scalar = typename Space::scalar;
-};
-TYPED_TEST_SUITE(TouchingPairs, test::Spaces);
 
-TYPED_TEST(TouchingPairs, AreThoseOfSingleCallsForEveryTwoTypesAndInstructionSet) {
-  constexpr Dim N = TypeParam::dimension;
-  using T = typename TypeParam::scalar;
-  for (std::size_t kind = 0; kind < test::case_kind_count; ++kind) {
-    SCOPED_TRACE(std::string(test::case_kind_names[kind]));
-    const Cases<N, T> cases = cases_of<N, T>(static_cast<test::CaseKind>(kind), 12);
+  /// By every set of vector instructions that this machine has.
+  static void expect_relations_of_single_calls(const Cases<dimension, scalar>& cases) {
     const std::vector<Relation> expected = single_calls(cases.shapes, cases.pairs);
     for (const std::int64_t target : test::simd_targets()) {
       const test::ForcedTarget forced(target);
       const std::vector<Relation> found =
-          relations(std::span<const AnyShape<N, T>>(cases.shapes), std::span<const Pair>(cases.pairs));
+          relations(std::span<const AnyShape<dimension, scalar>>(cases.shapes), std::span<const Pair>(cases.pairs));
       ASSERT_EQ(found.size(), expected.size());
       for (std::size_t i = 0; i < found.size(); ++i) {
         ASSERT_EQ(name_of(found[i]), name_of(expected[i]))
@@ -83,6 +78,30 @@ TYPED_TEST(TouchingPairs, AreThoseOfSingleCallsForEveryTwoTypesAndInstructionSet
       }
     }
   }
+};
+TYPED_TEST_SUITE(TouchingPairs, test::Spaces);
+
+TYPED_TEST(TouchingPairs, AreThoseOfSingleCallsForEveryTwoTypesAndInstructionSet) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  for (std::size_t kind = 0; kind < test::case_kind_count; ++kind) {
+    SCOPED_TRACE(std::string(test::case_kind_names[kind]));
+    TestFixture::expect_relations_of_single_calls(cases_of<N, T>(static_cast<test::CaseKind>(kind), 12));
+  }
+}
+
+TYPED_TEST(TouchingPairs, OfGrazingRaysAndSegmentsAreThoseOfSingleCalls) {
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
+  Cases<N, T> cases;
+  test::check_property([&cases] {
+    test::for_rays_past_a_shape<N, T>([&cases](const AnyShape<N, T>& shape, const Ray<N, T>& ray) {
+      cases.add(shape, ray);
+      cases.add(shape, test::beginning_of(ray));
+      cases.add(compound_of<N, T>({shape}), ray);
+    });
+  });
+  TestFixture::expect_relations_of_single_calls(cases);
 }
 
 /// Shapes of one type from the cases, each paired with the next.
