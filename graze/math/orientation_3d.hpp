@@ -10,6 +10,7 @@
 #include <optional>
 
 #include <graze/math/exact/exact_determinant.hpp>
+#include <graze/math/exact/twofold.hpp>
 #include <graze/math/orientation.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
@@ -42,41 +43,16 @@ void add_determinant(const Vec<3, double>& a, const Vec<3, double>& b, const Vec
   }
 }
 
-/// det(a, b, c) of vectors whose coordinates are sums of two doubles, the second below one epsilon of the first. The
-/// error is at most `twofold_rounding` times the sum of the absolute values of its six products.
-inline double twofold_determinant(const std::array<std::array<Rounded, 3>, 3>& rows) {
-  const auto times = [](const Rounded& a, const Rounded& b) {
-    const Rounded product = two_product(a.value, b.value);
-    return Rounded{product.value, product.error + (a.value * b.error + a.error * b.value)};
-  };
-  Rounded total{0, 0};
-  const auto add = [&total](const Rounded& term) {
-    const Rounded sum = two_sum(total.value, term.value);
-    total = {sum.value, total.error + (sum.error + term.error)};
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    const Rounded& a = rows[0][i];
-    add(times(times(rows[1][j], rows[2][k]), a));
-    add(times(times(rows[1][k], rows[2][j]), {-a.value, -a.error}));
-  }
-  return total.value + total.error;
-}
-
 /// The exact sign of det(a - o, b - o, c - o), for points where rounding in double hides it. `magnitude`, not zero, is
 /// the sum of the absolute values of its six products.
 inline int sign_of_determinant(const std::array<Vec<3, double>, 3>& points, const Vec<3, double>& origin,
                                double magnitude) {
   if (const std::optional<int> sign = sign_of_exact_determinant(points, origin)) return *sign;
   bool are_exact = true;
-  std::array<std::array<Rounded, 3>, 3> rows{};
+  std::array<TwofoldVec<3>, 3> rows;
   for (std::size_t row = 0; row < 3; ++row) {
-    for (Dim i = 0; i < 3; ++i) {
-      const Rounded difference = two_sum(points[row][i], -origin[i]);
-      are_exact = are_exact && difference.error == 0;
-      rows[row][static_cast<std::size_t>(i)] = difference;
-    }
+    rows[row] = twofold_difference(points[row], origin);
+    for (const Rounded& coordinate : rows[row]) are_exact = are_exact && coordinate.error == 0;
   }
   constexpr double least = 0x1p-600;  // above it, lost errors of products are far below the bound
   const double twofold = twofold_determinant(rows);

@@ -73,32 +73,6 @@ inline double difference_of_products(double a, double b, double c, double d) {
   return difference.value + (difference.error + (first.error - second.error));
 }
 
-/// A vector as a sum of two: rounded, and what rounding has left.
-template <Dim N>
-struct RoundedVec {
-  Vec<N, double> value;
-  Vec<N, double> error = Vec<N, double>(0.0);
-};
-
-template <Dim N>
-RoundedVec<N> exact_difference(const Vec<N, double>& a, const Vec<N, double>& b) {
-  RoundedVec<N> result;
-  for (Dim i = 0; i < N; ++i) {
-    const Rounded difference = two_sum(a[i], -b[i]);
-    result.value[i] = difference.value;
-    result.error[i] = difference.error;
-  }
-  return result;
-}
-
-/// Its error is below epsilon squared, relative to the larger one.
-template <Dim N>
-RoundedVec<N> operator-(const RoundedVec<N>& a, const RoundedVec<N>& b) {
-  RoundedVec<N> result = exact_difference<N>(a.value, b.value);
-  result.error += a.error - b.error;
-  return result;
-}
-
 /// The power of two that brings `size` near 1, so that products of several numbers of that size stay in the range of
 /// double; 1 if they do anyway, or if `size` is zero or not finite. Multiplying by it is exact.
 inline double scale_to_moderate(double size) {

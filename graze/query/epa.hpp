@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 
+#include <graze/math/exact/twofold.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/convex/depth_face.hpp>
@@ -145,7 +146,7 @@ class Expansion {
   }
 
   DepthFace<N> exact_face(const HullFaceCorners<N>& corners) const {
-    std::array<RoundedVec<N>, static_cast<std::size_t>(N)> exact;
+    std::array<TwofoldVec<N>, static_cast<std::size_t>(N)> exact;
     for (std::size_t i = 0; i < corners.size(); ++i) exact[i] = differences_.exact(corners[i]);
     return depth_face<N>(exact);
   }

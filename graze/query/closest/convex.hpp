@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 
+#include <graze/math/exact/twofold.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -66,9 +67,9 @@ class WitnessedDifference {
   }
 
   /// A support point before it was rounded.
-  RoundedVec<dimension> exact(const Point& difference) const {
+  TwofoldVec<dimension> exact(const Point& difference) const {
     const Witness& made_of = witness(difference);
-    return exact_difference<dimension>(made_of.on_a, made_of.on_b);
+    return twofold_difference(made_of.on_a, made_of.on_b);
   }
 
  private:

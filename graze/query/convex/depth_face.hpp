@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 
+#include <graze/math/exact/twofold.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -17,16 +18,13 @@
 namespace graze::detail {
 
 /// At right angles to an edge, on its right.
-inline Vec<2, double> outward_normal(const std::array<RoundedVec<2>, 2>& corners) {
-  const RoundedVec<2> edge = corners[1] - corners[0];
-  return -perpendicular(edge.value + edge.error);
+inline Vec<2, double> outward_normal(const std::array<TwofoldVec<2>, 2>& corners) {
+  return of_moderate_size(-perpendicular(rounded(twofold_difference(corners[1], corners[0]))));
 }
 
-/// The products of what rounding has left of two sides are too small to matter.
-inline Vec<3, double> outward_normal(const std::array<RoundedVec<3>, 3>& corners) {
-  const RoundedVec<3> u = corners[1] - corners[0];
-  const RoundedVec<3> v = corners[2] - corners[0];
-  return accurate_cross(u.value, v.value) + (cross(u.value, v.error) + cross(u.error, v.value));
+inline Vec<3, double> outward_normal(const std::array<TwofoldVec<3>, 3>& corners) {
+  return rounded(
+      twofold_normal(twofold_difference(corners[1], corners[0]), twofold_difference(corners[2], corners[0])));
 }
 
 /// The foot of the origin's perpendicular on the plane of a face is normal * height.
@@ -39,17 +37,17 @@ struct DepthFace {
 
 /// By exact corners in the order of HullFaceCorners.
 template <Dim N>
-DepthFace<N> depth_face(const std::array<RoundedVec<N>, static_cast<std::size_t>(N)>& corners) {
+DepthFace<N> depth_face(const std::array<TwofoldVec<N>, static_cast<std::size_t>(N)>& corners) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Vec<N, double> normal = of_moderate_size(outward_normal(corners));
+  const Vec<N, double> normal = outward_normal(corners);
   const double size = std::sqrt(dot(normal, normal));
   if (!(size > 0)) return {Vec<N, double>(0.0), 0, infinity};
   DepthFace<N> face{normal / size};
-  face.height = dot(face.normal, corners[0].value);
+  face.height = dot(face.normal, rounded(corners[0]));
   const Vec<N, double> foot = face.normal * face.height;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vec<N, double>& corner = corners[i].value;
-    const Vec<N, double> edge = corners[(i + 1) % corners.size()].value - corner;
+    const Vec<N, double> corner = rounded(corners[i]);
+    const Vec<N, double> edge = rounded(corners[(i + 1) % corners.size()]) - corner;
     Vec<N, double> along_face = edge;  // outward from the edge in 3D, from its start in 2D
     if constexpr (N == 3) along_face = cross(edge, face.normal);
     if constexpr (N == 2) along_face = -edge;

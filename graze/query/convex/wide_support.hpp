@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <graze/math/exact/twofold.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/capsule.hpp>
@@ -114,7 +115,7 @@ class Difference {
   }
 
   /// Of a support point: as exact as it is known.
-  static RoundedVec<dimension> exact(const Point& difference) { return {difference}; }
+  static TwofoldVec<dimension> exact(const Point& difference) { return twofold_difference(difference, Point(0.0)); }
 
   /// What cannot be resolved: distances below it are zero for all we know.
   double resolution() const { return std::max(support_error<A>, support_error<B>) * largest_; }
