@@ -147,6 +147,24 @@ TEST(ShapeCast, EndsWhereFacesAreNearlyParallel) {
   expect_flush_prisms_to_touch<float>();
 }
 
+// A box a few epsilon of its size from a face: GJK's bounds, off by as much, leave no plane between to move to.
+TEST(ShapeCast, ConvergesWhereNoPlaneBetweenIsHigherThanRounding) {
+  const std::vector<Point> corners{{5.648924447069362e-05, -0.5000000000000641, 5.664859560727348e-10},
+                                   {5.649037757062296e-05, 5.664859560727348e-10, 0.499999999999936},
+                                   {5.649233871402973e-05, 0.9638393266911052, 1.2669377710425545},
+                                   {5.649094412058764e-05, 0.9999999999999359, -1.1331639379480987e-09},
+                                   {0.6606757164966934, -0.5000000007486116, -1.8206164365217534e-10},
+                                   {0.6606757176297933, -1.8206164365217534e-10, 0.4999999992513884},
+                                   {0.6606757195909367, 0.9638393259425576, 1.266937770294007},
+                                   {0.6606757181963433, 0.9999999992513884, -1.881711537673009e-09}};
+  const auto found =
+      shape_cast(Box{{-3, 1, -4}, {0, 3, 0}}, {0.95060113232356458, 0, 0}, convex_hull<3, double>(corners));
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->status, Status::converged);
+  EXPECT_LE(found->error, 128 * tolerance::epsilon * 5);
+  EXPECT_NEAR(found->t * 0.95060113232356458, 5.649e-05, 1e-8);
+}
+
 // ---- Touching
 
 TEST(ShapeCast, TouchesWhatItGrazesAndNothingBesideIt) {
