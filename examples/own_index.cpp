@@ -30,5 +30,15 @@ int main() {
     std::printf("the ray enters box %u at t = %g\n", key.index, t);
     return t < 2;
   });
-  return touched == 11 ? 0 : 1;
+  const graze::Key last = index.nearest({120, 0}, 1).front().key;
+  index.update(last, graze::Aabb<2>::from_center({200, 0}, {1, 1}));
+  std::size_t ahead = 0;
+  index.query(graze::Aabb<2>{{90, -1}, {300, 1}}, [&ahead](graze::Key) { ++ahead; });
+  std::size_t pairs = 0;
+  index.pairs([&pairs](graze::Key, graze::Key) { ++pairs; });
+  std::printf("box %u goes to x = %g: %zu boxes ahead, %zu pairs\n", last.index,
+              static_cast<double>(index.box(last).center().x), ahead, pairs);
+  std::printf("the set holds %zu right sides\n", index.finder().by_right_side.size());
+  index.clear();
+  return touched == 11 && ahead == 11 && !index.contains(last) && index.finder().by_right_side.empty() ? 0 : 1;
 }

@@ -4,7 +4,8 @@
 usage: python3 tools/make_site.py [--output build/site] [--viewer build/web/viewer]
 
 The reference comes from the headers directly in a layer's folder and from EXPORTED, the pages from README.md, docs/ and the
-other Markdown files that they link to. Every warning of Doxygen is an error. Without a built viewer its pages are omitted.
+other Markdown files that they link to. Each example has a page, to which the functions that it uses are linked. Every warning
+of Doxygen is an error, and so is a public function that no example uses. Without a built viewer its pages are omitted.
 """
 
 import argparse
@@ -18,6 +19,7 @@ from urllib.parse import unquote
 
 from markdown import anchor_of
 from project_files import ROOT, project_files
+from site_examples import Examples
 
 LAYERS = ["math", "shape", "query", "broad", "scene", "io"]
 # Headers in sub-folders that declare, outside namespace detail, what public headers re-export.
@@ -50,6 +52,7 @@ class Site:
         self.headers = [Path("graze/graze.hpp"), *(path for path in project_files(root, [".hpp"]) if len(path.parts) == 3
                                                    and path.parts[0] == "graze" and path.parts[1] in LAYERS),
                         *(Path("graze", name) for name in EXPORTED)]
+        self.examples = Examples(root, project_files(root, [".cpp"]))
         self.children = set()
         self.copies = set()  # linked files that are not pages: copied unchanged
 
@@ -94,14 +97,22 @@ class Site:
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_text(self.page(path), encoding="utf-8")
 
+    def recipe_label(self, example):
+        """The page of the cookbook that explains an example, if there is one."""
+        page = Path("docs/cookbook") / f"{example.stem}.md"
+        return label_of(page) if example.parts[1] == "cookbook" and page in self.pages else None
+
     def configuration(self):
         first = [Path(name) for name in ["README.md", *GUIDE]]
         pages = [self.source / path for path in [*first, *sorted(self.pages - set(first))]]
         settings = {
-            "INPUT": [*pages, self.root / "docs/site/namespaces.dox", *(self.root / header for header in self.headers)],
+            "INPUT": [*pages, self.root / "docs/site/namespaces.dox", self.source / "examples.dox",
+                      *(self.root / header for header in self.headers)],
             "USE_MDFILE_AS_MAINPAGE": [self.source / "README.md"],
             "STRIP_FROM_PATH": [self.source, self.root],
             "STRIP_FROM_INC_PATH": [self.root],
+            "EXAMPLE_PATH": [self.root / "examples"],
+            "XML_OUTPUT": [self.source / "xml"],
             "OUTPUT_DIRECTORY": [self.output.parent],
             "HTML_OUTPUT": [self.output.name],
             "HTML_EXTRA_STYLESHEET": [THEME / "doxygen-awesome.css", THEME / "doxygen-awesome-sidebar-only.css",
@@ -127,6 +138,7 @@ class Site:
         shutil.rmtree(self.output, ignore_errors=True)
         self.output.mkdir(parents=True)
         self.write_sources()
+        (self.source / "examples.dox").write_text(self.examples.pages(self.recipe_label), encoding="utf-8")
         self.write_header()
         done = subprocess.run(["doxygen", "-"], input=self.configuration(), text=True, capture_output=True, check=False, cwd=self.root)
         for path in self.copies:
@@ -135,8 +147,9 @@ class Site:
             shutil.copy(self.root / path, target)
         if self.viewer:
             shutil.copytree(self.viewer, self.output / "viewer")
-        return [line.replace(f"{self.source}/", "").replace(f"{self.root}/", "").replace(": warning: ", ": ")
-                for line in done.stderr.splitlines() if line.strip()]
+        self.examples.link(self.output, self.source / "xml")
+        problems = [line for line in done.stderr.splitlines() if line.strip()] + self.examples.problems(self.source / "xml")
+        return [line.replace(f"{self.source}/", "").replace(f"{self.root}/", "").replace(": warning: ", ": ") for line in problems]
 
 
 def main():
