@@ -107,8 +107,8 @@ class Expansion {
   /// Moves the hull's face nearest to the origin outward until it is a face of the difference set itself. A face that
   /// has the origin outside comes first, because the shapes may not meet after all.
   /// Once the bounds have met, a comparison with a threshold is decided; else the search goes on to the face that the
-  /// least translation leads to. What it finds on the way no longer decides whether the shapes meet, because `relation`,
-  /// which asks for a threshold, does not see it.
+  /// least translation leads to. What it finds on the way no longer decides whether the shapes meet, because
+  /// `relation`, which asks for a threshold, does not see it.
   void expand(GrowingHull<N> hull) {
     for (; result_.iterations < epa_iteration_limit; ++result_.iterations) {
       const auto face = hull.nearest_face();
