@@ -114,9 +114,9 @@ inline constexpr double gjk_relative_gap = 1e-12;
 /// four roundings, and the difference and its projection on a unit normal about as many again.
 inline constexpr double convex = 32 * epsilon;
 
-/// The height of a point over a face of the hull that EPA grows is off by less than this times the largest coordinate
-/// times (1 + 1 / the sine of the angle between two sides of the face): sides of points that are themselves rounded
-/// turn the normal by 4 epsilon / sine, which moves points up to four times that coordinate away; doubled.
+/// Bounds the error of the height of a point over a face of EPA's hull: this times the largest coordinate times (1 + 1 /
+/// the sine of the angle between two sides of the face). Rounded sides turn the normal by 4 epsilon / sine, which
+/// matters for points up to four times that coordinate away; doubled.
 inline constexpr double growing_hull = 32 * epsilon;
 
 /// Nearest points that are farther apart than this, relative to the size of the pair, determine the direction of the

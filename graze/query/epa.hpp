@@ -38,7 +38,7 @@ struct EpaResult {
   Vec<N, double> normal = unit_axis<N>(0);  ///< Of length 1, from a to b: the direction of `upper`.
   Status status = Status::converged;        ///< `best_bound`: the bounds hold, but did not meet.
   int iterations = 0;                       ///< Steps taken, at most 128.
-  detail::Simplex<N> face;  ///< Points of the set of differences whose hull contains normal * upper, up to rounding;
+  detail::Simplex<N> face;  ///< Points of the Minkowski difference whose hull contains normal * upper, up to rounding;
                             ///< none if the nearest face is curved or only a threshold was asked for.
 };
 
@@ -106,9 +106,9 @@ class Expansion {
 
   /// Moves the hull's face nearest to the origin outward until it is a face of the difference set itself. A face that
   /// has the origin outside comes first, because the shapes may not meet after all.
-  /// Once the bounds have met, a comparison with a threshold is decided; else the search goes on to the face that the
-  /// least translation leads to. What it finds on the way no longer decides whether the shapes meet, because
-  /// `relation`, which asks for a threshold, does not see it.
+  /// Once the bounds have met, a comparison with a threshold is decided. Without a threshold, the search goes on to the
+  /// face of the minimum translation; what it finds on the way no longer changes whether the shapes overlap, because
+  /// `relation`, which uses a threshold, stops earlier.
   void expand(GrowingHull<N> hull) {
     for (; result_.iterations < epa_iteration_limit; ++result_.iterations) {
       const auto face = hull.nearest_face();
@@ -166,7 +166,7 @@ class Expansion {
   EpaOptions options_;
   EpaResult<N> result_;
   bool has_met_ = false;                                         ///< The bounds have met.
-  double most_lower_ = std::numeric_limits<double>::infinity();  ///< Of faces of which no more can be told.
+  double most_lower_ = std::numeric_limits<double>::infinity();  ///< The least lower bound of settled faces.
 };
 
 /// For numbers in range.

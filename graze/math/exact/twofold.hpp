@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors in twice the precision of double: products and determinants of differences, of which cancellation leaves
-// enough.
+// Vectors in twice the precision of double, for products and determinants of differences that nearly cancel.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 
 namespace graze::detail {
 
-/// Coordinates are sums of two doubles, the second under an epsilon of the first.
+/// Each coordinate is the sum of two doubles; the second is less than an epsilon of the first.
 template <Dim N>
 using TwofoldVec = std::array<Rounded, static_cast<std::size_t>(N)>;
 
@@ -39,7 +38,7 @@ std::array<Rounded, N> twofold_difference(const std::array<Rounded, N>& a, const
   return difference;
 }
 
-/// Without what rounding has left.
+/// Rounded to double.
 template <std::size_t N>
 Vec<static_cast<Dim>(N), double> rounded(const std::array<Rounded, N>& v) {
   Vec<static_cast<Dim>(N), double> result;
@@ -47,8 +46,8 @@ Vec<static_cast<Dim>(N), double> rounded(const std::array<Rounded, N>& v) {
   return result;
 }
 
-/// a x b, of a length of about 1 and with errors around epsilon squared divided by the sine: the factor between is a
-/// power of two. Zero if the product is.
+/// a x b, scaled by a power of two to a length of about 1, with errors around epsilon squared divided by the sine of
+/// the angle. Zero if the product is zero.
 inline TwofoldVec<3> twofold_normal(const TwofoldVec<3>& a, const TwofoldVec<3>& b) {
   TwofoldVec<3> normal{};
   double size = 0;

@@ -63,7 +63,7 @@ class MovingDifference {
     return known;
   }
 
-  /// What a difference was made of: the moved point of a, and that of b.
+  /// The points that a difference was made from: the moved point of a, and that of b.
   CornerOfDifference<N> witness(const Point& difference) const {
     const CornerOfDifference<N>& corner = made(difference).corner;
     return {moved(corner.on_a), corner.on_b};

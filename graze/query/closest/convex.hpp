@@ -23,8 +23,8 @@
 
 namespace graze::detail {
 
-/// How many support points are asked for: two walks to the end, or one and an expansion that asks twice at a step, and
-/// the directions that bounds are proved with in between.
+/// The maximum number of support points: two complete runs, or one and an expansion with two support points per step,
+/// and the directions that prove bounds in between.
 inline constexpr std::size_t most_supports = 3 * static_cast<std::size_t>(gjk_iteration_limit) + 32;
 
 /// The Minkowski difference a - b, which remembers the points that its support points were made from.
@@ -50,23 +50,23 @@ class WitnessedDifference {
   const A& a() const { return a_; }
   const B& b() const { return b_; }
 
-  /// Support points of before say no more of what cannot be resolved: so that is as in a search that begins anew.
+  /// Resets the resolution to its initial value, as in a new search: earlier support points no longer affect it.
   void begin_anew() { largest_ = std::max(largest_within(a_), largest_within(b_)); }
 
-  /// What a support point was made of.
+  /// The points that a support point was made from.
   struct Witness {
     Point on_a;
     Point on_b;
   };
 
-  /// There is one for each, unless it is no number: then it is any.
+  /// Every difference has one. For NaN, an arbitrary one.
   const Witness& witness(const Point& difference) const {
     std::size_t i = 0;
     while (i + 1 < count_ && witnesses_[i].on_a - witnesses_[i].on_b != difference) ++i;
     return witnesses_[i];
   }
 
-  /// A support point before it was rounded.
+  /// A support point before rounding.
   TwofoldVec<dimension> exact(const Point& difference) const {
     const Witness& made_of = witness(difference);
     return twofold_difference(made_of.on_a, made_of.on_b);
@@ -123,8 +123,8 @@ class SharesInSimplex {
     for (Vec<3, double>& edge : edges_) edge *= scale_;
   }
 
-  /// From zero to one, and no more than one in all. Where a tetrahedron is almost flat, its shares are rounded much;
-  /// what they leave of the point is shared out again.
+  /// Each from zero to one, and the sum at most one. If a tetrahedron is almost flat, rounding of its shares is large;
+  /// what they leave of the point is distributed again.
   Shares of(const Vec<N, double>& point) const {
     constexpr int rounds = 3;
     if (count_ == 2) return of_triangle(lifted(point - first_) * scale_);
@@ -147,9 +147,9 @@ class SharesInSimplex {
   }
 
  private:
-  /// Of a triangle, seen from one end of its longest side. However thin it is, no share moves the point by more than
-  /// rounding: the share of the third corner is cut where it would leave the place along that side out of reach, unless
-  /// the angle there is so wide that the place is the lesser evil.
+  /// For a triangle, measured from one end of its longest side. However thin it is, no share moves the point by more
+  /// than rounding: the share of the third corner is limited where the position along the longest side could otherwise
+  /// not be reached, unless the angle at that corner is so wide that an error along the side is smaller.
   Shares of_triangle(const Vec<3, double>& point) const {
     const Vec<3, double>& u = edges_[0];
     const Vec<3, double>& v = edges_[1];
@@ -167,7 +167,7 @@ class SharesInSimplex {
     return {std::max(0.0, 1 - along - beside), along, 0};
   }
 
-  /// `point` as a sum of shares of the longest side of a triangle and of another one, from their common corner.
+  /// `point` as a sum of multiples of the longest side of a triangle and of another side, from their common corner.
   static std::array<double, 2> shares_by(const Vec<3, double>& longest, const Vec<3, double>& other,
                                          const Vec<3, double>& point) {
     const double whole = dot(longest, longest);
@@ -192,7 +192,7 @@ class SharesInSimplex {
     return {std::clamp(place - beside * corner, 0.0, 1 - beside), beside};
   }
 
-  /// None of a simplex that is flat up to rounding.
+  /// Zero for a simplex that is flat up to rounding.
   Shares solve(const Vec<3, double>& point) const {
     const auto& [u, v, w] = edges_;
     Shares shares{};
@@ -215,15 +215,15 @@ class SharesInSimplex {
   double scale_ = 1;
 };
 
-/// The points of a and b of which a point of a simplex is the difference; `differences` remember what its corners were
-/// made of.
+/// The points of a and b whose difference is a given point of a simplex; `differences` remember the points that its
+/// corners were made from.
 template <class Differences>
 ClosestPair<Differences::dimension> pair_at(const Differences& differences,
                                             const Simplex<Differences::dimension>& simplex,
                                             const Vec<Differences::dimension, double>& point) {
   constexpr Dim N = Differences::dimension;
   const std::array<double, 3> shares = SharesInSimplex<N>(simplex).of(point);
-  // Corners are added to the first one, so that nothing is lost far from the origin.
+  // Corners are added relative to the first one, so that nothing is lost far from the origin.
   const auto first = differences.witness(simplex.points[0]);
   ClosestPair<N> pair{first.on_a, first.on_b, -point, dot(point, point)};
   for (std::size_t i = 1; i < simplex.size; ++i) {
@@ -234,7 +234,7 @@ ClosestPair<Differences::dimension> pair_at(const Differences& differences,
   return pair;
 }
 
-/// How GJK ended, beside the points.
+/// GJK's final state besides the points.
 template <Dim N>
 struct ConvexCores {
   ClosestPair<N> closest;

@@ -14,7 +14,7 @@
 
 namespace graze::detail {
 
-/// Whether the angle between two edges is so small, or so near a straight one, that distances lose too many digits.
+/// Whether the angle between two edges is so close to 0 or 180 degrees that distances lose too many digits.
 inline bool are_nearly_parallel(const Vec<3, double>& a, const Vec<3, double>& b) {
   constexpr double most_sine = 1.0 / 8;
   const Vec<3, double> normal = cross(a, b);

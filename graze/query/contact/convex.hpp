@@ -66,16 +66,16 @@ Penetration<dimension_of<A>> penetration_of_convex_apart(const A& a, const B& b,
   return result;
 }
 
-/// What EPA finds of two cores that meet, or do so up to GJK's resolution, given how GJK ended.
+/// EPA's result for two cores that overlap, up to GJK's resolution, given GJK's result.
 template <class Differences>
 EpaResult<Differences::dimension> depth_from(Differences& differences,
                                              const GjkResult<Differences::dimension>& distance) {
-  differences.begin_anew();  // as for `relation`, which must say the same of whether they meet
+  differences.begin_anew();  // as `relation` does, which must give the same verdict
   return Expansion<Differences>(differences, EpaOptions{}).run(distance.simplex);
 }
 
-/// Where no face says at which points the cores touch once they are parted, GJK does, and how far they are apart then.
-/// EPA, which looks for a depth, need not see that there is none, but a distance.
+/// The points of contact: from the face in which EPA ended or, if there is none, from GJK once the cores are separated.
+/// EPA, which searches for a depth, may not notice a gap, which can be as large as GJK's upper bound.
 template <Convex A, Convex B>
 Penetration<dimension_of<A>> penetration_of_depth(const WitnessedDifference<A, B>& differences,
                                                   const GjkResult<dimension_of<A>>& distance,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The face of a set of differences in which EPA ends, solved in closed form: its normal is made of exact differences of
-// the shapes' own points, so that it is right however thin the face is.
+// The face of the Minkowski difference in which EPA ends, solved in closed form: its normal is calculated from exact
+// differences of the shapes' own points, so that it is accurate however thin the face is.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace graze::detail {
 
-/// At right angles to an edge, on its right.
+/// Perpendicular to an edge, on its right.
 inline Vec<2, double> outward_normal(const std::array<TwofoldVec<2>, 2>& corners) {
   return of_moderate_size(-perpendicular(rounded(twofold_difference(corners[1], corners[0]))));
 }
@@ -27,15 +27,15 @@ inline Vec<3, double> outward_normal(const std::array<TwofoldVec<3>, 3>& corners
       twofold_normal(twofold_difference(corners[1], corners[0]), twofold_difference(corners[2], corners[0])));
 }
 
-/// The foot of the origin's perpendicular on the plane of a face is normal * height.
+/// The projection of the origin onto the plane of a face is normal * height.
 template <Dim N>
 struct DepthFace {
   Vec<N, double> normal;  ///< Outward and of length one; zero if the face has none.
   double height = 0;
-  double outside = 0;  ///< How far the foot is outside the face.
+  double outside = 0;  ///< The distance of the projection from the face, 0 inside it.
 };
 
-/// By exact corners in the order of HullFaceCorners.
+/// From exact corners, in the order of HullFaceCorners.
 template <Dim N>
 DepthFace<N> depth_face(const std::array<TwofoldVec<N>, static_cast<std::size_t>(N)>& corners) {
   constexpr double infinity = std::numeric_limits<double>::infinity();

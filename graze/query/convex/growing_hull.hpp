@@ -67,15 +67,15 @@ struct HullFace {
   std::array<std::uint16_t, static_cast<std::size_t>(N)> corners;
   Vec<N, double> normal;
   double height;
-  double slack = 0;         ///< How far off heights over the plane may be, relative to the largest coordinate.
-  bool is_settled = false;  ///< It is not the nearest any more, whatever its height.
+  double slack = 0;         ///< Error bound of heights over the plane, relative to the largest coordinate.
+  bool is_settled = false;  ///< No longer a candidate for the nearest face, whatever its height.
 };
 
 /// The corners of a face, in 3D counter-clockwise from outside.
 template <Dim N>
 using HullFaceCorners = std::array<Vec<N, double>, static_cast<std::size_t>(N)>;
 
-/// How many points a hull may begin with (asserted), and how many more may be put in.
+/// How many points a hull may start with (asserted), and how many more may be added.
 template <Dim N>
 inline constexpr std::size_t most_hull_starts = 3 * static_cast<std::size_t>(N) + 1;
 inline constexpr std::size_t most_hull_inserts = 128;
@@ -83,9 +83,9 @@ inline constexpr std::size_t most_hull_inserts = 128;
 template <Dim N>
 using HullPoints = InplaceVector<Vec<N, double>, most_hull_starts<N> + most_hull_inserts>;
 
-/// Begins with a few points and grows by others, as many as said above. Which faces a point lies beyond is decided
-/// exactly, so that no face turns inside out, however thin. Takes no memory from the heap: in 2D 4 KiB of the stack, in
-/// 3D 22 KiB while it grows.
+/// Starts with a few points and grows by others, within these limits. Which faces a point lies beyond is decided
+/// exactly, so that no face turns inside out, however thin. Does not allocate: in 2D it takes 4 KiB of the stack, in 3D
+/// 22 KiB while it grows.
 template <Dim N>
 class GrowingHull;
 
@@ -111,7 +111,7 @@ class GrowingHull<2> {
     return size;
   }
 
-  /// None when every face is settled, or there is none.
+  /// None if every face is settled, or there is none.
   std::optional<HullFace<2>> nearest_face() const {
     if (corners_.size() < 3) return std::nullopt;
     HullFace<2> nearest{{}, Point(0.0), std::numeric_limits<double>::infinity()};
@@ -130,7 +130,7 @@ class GrowingHull<2> {
     return {corners_[face.corners[0]], corners_[face.corners[1]]};
   }
 
-  /// The face is not the nearest any more, whatever its height. False if so many are that there is no room for another.
+  /// Excludes the face from the search for the nearest one. False if there is no room to record another.
   bool settle(const HullFace<2>& face) {
     if (settled_.is_full()) return false;
     settled_.push_back(corners_of(face));
@@ -201,7 +201,7 @@ class GrowingHull<3> {
   /// The largest coordinate.
   double size() const { return size_; }
 
-  /// None when every face is settled, or too thin to have a normal.
+  /// None if every face is settled, or too thin to have a normal.
   std::optional<HullFace<3>> nearest_face() const {
     const HullFace<3>* nearest = nullptr;
     for (const HullFace<3>& face : faces_) {
@@ -215,7 +215,7 @@ class GrowingHull<3> {
     return {points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]]};
   }
 
-  /// The face is not the nearest any more, whatever its height.
+  /// Excludes the face from the search for the nearest one.
   bool settle(const HullFace<3>& settled) {
     for (HullFace<3>& face : faces_) face.is_settled = face.is_settled || face.corners == settled.corners;
     return true;
@@ -267,15 +267,15 @@ class GrowingHull<3> {
     return best;
   }
 
-  /// 1 if a point is on the side of the plane through three others from which these run counter-clockwise, -1 if on the
-  /// other, 0 if on the plane; exactly.
+  /// The exact side of the plane through three points on which a fourth lies: 1 if the three appear counter-clockwise
+  /// from there, -1 if clockwise, 0 if it is on the plane.
   int side_of(const std::array<std::size_t, 3>& plane, std::size_t point) const {
     const auto at = [this](std::size_t i) { return points_[i] * scale_; };
     return orientation(at(plane[0]), at(plane[1]), at(plane[2]), at(point));
   }
 
-  /// The normal of a triangle with two sides u and v is made of plain products where these lose a few bits at most; of
-  /// thin triangles, whose products nearly cancel, with care.
+  /// The normal of a triangle with two sides u and v: by plain products where these lose a few bits at most, in twofold
+  /// precision for thin triangles, whose products nearly cancel.
   void add_face(std::size_t a, std::size_t b, std::size_t c) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double least_sine_squared = 1.0 / 64;
@@ -332,7 +332,7 @@ class GrowingHull<3> {
 
   HullPoints<3> points_;
   double size_ = 0;   ///< The largest coordinate.
-  double scale_ = 1;  ///< A power of two that brings it near 1.
+  double scale_ = 1;  ///< The power of two that scales it to about 1.
   InplaceVector<HullFace<3>, most_faces> faces_;
 };
 

@@ -114,10 +114,10 @@ class Difference {
     return on_a - on_b;
   }
 
-  /// Of a support point: as exact as it is known.
+  /// A support point in twofold precision; this set does not remember the points that it was made from.
   static TwofoldVec<dimension> exact(const Point& difference) { return twofold_difference(difference, Point(0.0)); }
 
-  /// What cannot be resolved: distances below it are zero for all we know.
+  /// The resolution: smaller distances cannot be distinguished from zero.
   double resolution() const { return std::max(support_error<A>, support_error<B>) * largest_; }
 
  private:

@@ -279,15 +279,15 @@ Touch<dimension_of<S>> nearest_touch(const S& shape, const Path<dimension_of<S>>
   return touch;
 }
 
-/// A point is as near to a shape as GJK can tell if the gap is at most this many resolutions: no plane between is
-/// higher than one, GJK's bounds meet up to another, and where rounding keeps them from meeting they are off by as much
-/// again.
+/// GJK cannot tell a point from one that touches if the gap is at most this many resolutions: one for the plane between
+/// point and shape, one for the difference at which GJK's bounds count as equal, and twice as much where rounding keeps
+/// the bounds apart.
 inline constexpr double most_resolutions_at_touch = 4;
 
-/// Where GJK says that a path touches which `relation` says does. Where no plane is left between the point and the
-/// shape, Newton's method may have come to rest at the entry without telling so; it has then not passed it. It is the
-/// answer where `relation` finds it on the shape, or where it is off by less than the ray is deep in the shape on the
-/// way to the nearest point: twice the depth in the middle, at most.
+/// The result of GJK for a path that touches according to `relation`. If there was no plane left between the point and
+/// the shape, Newton's method may have stopped at the entry without reporting it; it has not passed it then. It is the
+/// answer if `relation` finds it on the shape, or if its error is less than the depth of the ray on its way to the
+/// nearest point: at most twice the depth in the middle.
 template <Convex S>
 Touch<dimension_of<S>> touch_by_advance(const S& shape, const Path<dimension_of<S>>& path) {
   const RayFinding<dimension_of<S>> found = advance_to(shape, path);
