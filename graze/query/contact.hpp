@@ -23,7 +23,7 @@
 /// relation(a, b) decides whether there is a contact. Moving b by normal * depth is the shortest translation that
 /// leaves the shapes touching; point_b moves onto point_a. A round shape is a core (a center or an axis) and a radius.
 /// If the cores are apart, the normal is along the vector between their nearest points. If they meet, it is the normal
-/// of the nearest face of the set of differences a - b, which is a face of one shape or spanned by an edge of each.
+/// of the nearest face of the Minkowski difference a - b, which is a face of one shape or spanned by an edge of each.
 /// Among directions that are equally good up to rounding the order is: face normals before pairs of edges, those of a
 /// before those of b, coordinate axes and boxes' axes in their order, forward before backward.
 ///

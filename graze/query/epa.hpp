@@ -29,11 +29,11 @@ namespace graze {
 /// Bounds on the depth of two convex shapes that meet: lower <= depth <= upper, up to `resolution`.
 template <Dim N>
 struct EpaResult {
-  double lower = 0;  ///< A sphere of this radius around the origin lies in the set of differences a - b.
+  double lower = 0;  ///< A sphere of this radius around the origin lies in the Minkowski difference a - b.
   double upper = std::numeric_limits<double>::infinity();  ///< Moving b by `normal` * upper separates the shapes.
   double gap = 0;         ///< A proved distance along some direction, if the shapes turn out not to meet.
   double resolution = 0;  ///< The rounding error of support points, and so of all bounds.
-  /// The shapes meet: no face of a polytope in the set of differences separates it from the origin.
+  /// The shapes meet: no face of a polytope in the Minkowski difference separates it from the origin.
   bool holds_origin = false;
   Vec<N, double> normal = unit_axis<N>(0);  ///< Of length 1, from a to b: the direction of `upper`.
   Status status = Status::converged;        ///< `best_bound`: the bounds hold, but did not meet.

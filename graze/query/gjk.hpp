@@ -32,7 +32,7 @@ struct GjkResult {
   Status status = Status::converged;                ///< `best_bound`: the bounds hold, but did not meet.
   int iterations = 0;                               ///< Steps taken, at most 128.
   detail::Simplex<N>
-      simplex;  ///< Points of the set of differences a - b whose hull contains the one nearest to the origin.
+      simplex;  ///< Points of the Minkowski difference a - b whose hull contains the one nearest to the origin.
 };
 
 /// Lets GJK stop early if only the comparison with a threshold matters: as soon as lower > threshold or upper <

@@ -12,7 +12,7 @@ namespace graze {
 /// Whether two closed sets are apart, touch or overlap. `apart` and `overlapping` are certain. `touching`: the gap, or
 /// the depth, is below the rounding error of the calculation (exactly zero where the calculation is exact). Sets
 /// overlap if every translation that separates them has a positive length, that is, if the zero vector is inside the
-/// set of differences a - b. So a segment through a sphere overlaps it; a segment in a tangent plane of a sphere, or
+/// Minkowski difference a - b. So a segment through a sphere overlaps it; a segment in a tangent plane of a sphere, or
 /// two coplanar triangles in 3D, only touch.
 enum class Relation { apart, touching, overlapping };
 
