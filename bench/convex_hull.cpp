@@ -36,7 +36,7 @@ namespace {
 using graze::Dim;
 using graze::Vec;
 using graze::hull_bench::CgalHull;
-using graze::hull_bench::Crowd;
+using graze::hull_bench::PointCloud;
 using graze::hull_bench::Points;
 using graze::hull_bench::Qhull;
 
@@ -120,7 +120,7 @@ bool compare(const std::string& name, const Hull<N>& hull, const Points<N>& thei
 }
 
 template <Dim N>
-bool compare_with_qhull(const std::string& name, const Hull<N>& hull, const Points<N>& points, Crowd cluster) {
+bool compare_with_qhull(const std::string& name, const Hull<N>& hull, const Points<N>& points, PointCloud cluster) {
   Qhull<N> qhull(points);
   const double volume = graze::mass_properties(hull).volume;
   const double off = std::fabs(qhull.volume() - volume) / volume;
@@ -147,7 +147,7 @@ bool add_cgal(const std::string& name, const Hull<2>& hull, const std::shared_pt
 
 /// Whether all agree about the hull.
 template <Dim N>
-bool register_crowd(Crowd cluster, std::size_t count) {
+bool register_crowd(PointCloud cluster, std::size_t count) {
   const auto points = std::make_shared<const Points<N>>(graze::hull_bench::points_of<N>(cluster, count));
   const std::string name = std::string(name_of(cluster, N)) + ", " + std::to_string(count);
   const Hull<N> hull = graze::convex_hull(*points);
@@ -167,11 +167,11 @@ bool register_crowd(Crowd cluster, std::size_t count) {
 int main(int argc, char** argv) {
   bool do_agree = true;
   for (const std::size_t count : {1000UL, 10000UL, 100000UL, 1000000UL}) {
-    for (const Crowd cluster : graze::hull_bench::all_crowds) {
+    for (const PointCloud cluster : graze::hull_bench::all_crowds) {
       do_agree = register_crowd<2>(cluster, count) && do_agree;
       do_agree = register_crowd<3>(cluster, count) && do_agree;
     }
-    for (const Crowd cluster : graze::hull_bench::space_crowds)
+    for (const PointCloud cluster : graze::hull_bench::space_crowds)
       do_agree = register_crowd<3>(cluster, count) && do_agree;
   }
   if (!do_agree) return 1;

@@ -16,7 +16,7 @@ inline std::size_t soak_operations() {
 }
 
 /// The number of operations in which a set is filled and emptied once: at least four cycles, more in longer runs.
-constexpr std::size_t soak_breath(std::size_t operations) { return std::min<std::size_t>(operations / 4, 10'000); }
+constexpr std::size_t soak_cycle(std::size_t operations) { return std::min<std::size_t>(operations / 4, 10'000); }
 
 /// The target size at an operation: from none to `most` and back in each cycle.
 constexpr std::size_t soak_target(std::size_t operation, std::size_t breath, std::size_t most) {

@@ -17,7 +17,7 @@ namespace graze::hull_bench {
 template <Dim N>
 using Points = std::vector<Vec<N, double>>;
 
-enum class Crowd {
+enum class PointCloud {
   on_sphere,
   in_ball,
   in_cube,
@@ -32,44 +32,46 @@ enum class Crowd {
   on_cylinder_lines,
 };
 
-inline constexpr std::array all_crowds = {Crowd::on_sphere, Crowd::in_ball, Crowd::in_cube,      Crowd::gaussian,
-                                          Crowd::on_lines,  Crowd::grid,    Crowd::decimal_grid, Crowd::turned_grid};
+inline constexpr std::array all_crowds = {PointCloud::on_sphere,    PointCloud::in_ball,    PointCloud::in_cube,
+                                          PointCloud::gaussian,     PointCloud::on_lines,   PointCloud::grid,
+                                          PointCloud::decimal_grid, PointCloud::turned_grid};
 
-inline constexpr std::array space_crowds = {Crowd::on_cube, Crowd::on_cube_edges, Crowd::on_cylinder_lines};
+inline constexpr std::array space_crowds = {PointCloud::on_cube, PointCloud::on_cube_edges,
+                                            PointCloud::on_cylinder_lines};
 
-inline const char* name_of(Crowd cluster, Dim dimension) {
+inline const char* name_of(PointCloud cluster, Dim dimension) {
   const bool is_flat = dimension == 2;
   switch (cluster) {
-    case Crowd::on_sphere:
+    case PointCloud::on_sphere:
       return is_flat ? "on a circle" : "on a sphere";
-    case Crowd::in_ball:
+    case PointCloud::in_ball:
       return is_flat ? "in a disk" : "in a ball";
-    case Crowd::in_cube:
+    case PointCloud::in_cube:
       return is_flat ? "in a square" : "in a cube";
-    case Crowd::gaussian:
+    case PointCloud::gaussian:
       return is_flat ? "gaussian, flat" : "gaussian";
-    case Crowd::on_lines:
+    case PointCloud::on_lines:
       return is_flat ? "on five flat lines" : "on five lines";
-    case Crowd::grid:
+    case PointCloud::grid:
       return is_flat ? "flat grid of 1" : "grid of 1";
-    case Crowd::decimal_grid:
+    case PointCloud::decimal_grid:
       return is_flat ? "flat grid of 0.1" : "grid of 0.1";
-    case Crowd::turned_grid:
+    case PointCloud::turned_grid:
       return is_flat ? "turned flat grid" : "turned grid";
-    case Crowd::on_cube:
+    case PointCloud::on_cube:
       return "on a turned cube";
-    case Crowd::on_cube_edges:
+    case PointCloud::on_cube_edges:
       return "on a turned cube's edges";
-    case Crowd::on_cylinder_lines:
+    case PointCloud::on_cylinder_lines:
       return "on 100 lines of a cylinder";
   }
   return "";
 }
 
 /// Whether every corner is clearly one; many points on a circle are not.
-inline bool is_in_general_position(Crowd cluster, Dim dimension) {
-  if (cluster == Crowd::on_sphere) return dimension == 3;
-  return cluster == Crowd::in_ball || cluster == Crowd::in_cube || cluster == Crowd::gaussian;
+inline bool is_in_general_position(PointCloud cluster, Dim dimension) {
+  if (cluster == PointCloud::on_sphere) return dimension == 3;
+  return cluster == PointCloud::in_ball || cluster == PointCloud::in_cube || cluster == PointCloud::gaussian;
 }
 
 template <Dim N>
@@ -123,21 +125,21 @@ Points<N> on_lines(std::size_t count, std::mt19937_64& random) {
 }
 
 template <Dim N>
-Vec<N, double> random_point(Crowd cluster, std::mt19937_64& random) {
+Vec<N, double> random_point(PointCloud cluster, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   Vec<N, double> point = direction<N>(random);
-  if (cluster == Crowd::gaussian) return point;
-  if (cluster == Crowd::in_cube) {
+  if (cluster == PointCloud::gaussian) return point;
+  if (cluster == PointCloud::in_cube) {
     for (Dim i = 0; i < N; ++i) point[i] = uniform(random);
     return point;
   }
   point /= std::sqrt(dot(point, point));
-  if (cluster == Crowd::on_sphere) return point;
+  if (cluster == PointCloud::on_sphere) return point;
   return point * std::pow(0.5 + 0.5 * uniform(random), 1.0 / static_cast<double>(N));
 }
 
 /// On the faces or the edges of a cube, or on a hundred lines along a cylinder, up to rounding.
-inline Points<3> on_surface(Crowd cluster, std::size_t count, std::mt19937_64& random) {
+inline Points<3> on_surface(PointCloud cluster, std::size_t count, std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto end = [&] { return uniform(random) < 0 ? -1.0 : 1.0; };
   Points<3> points;
@@ -145,8 +147,8 @@ inline Points<3> on_surface(Crowd cluster, std::size_t count, std::mt19937_64& r
     Vec<3, double>& point = points.emplace_back(end(), end(), end());
     const auto axis = static_cast<Dim>(i % 3);
     point[axis] = uniform(random);
-    if (cluster == Crowd::on_cube) point[(axis + 1) % 3] = uniform(random);
-    if (cluster != Crowd::on_cylinder_lines) continue;
+    if (cluster == PointCloud::on_cube) point[(axis + 1) % 3] = uniform(random);
+    if (cluster != PointCloud::on_cylinder_lines) continue;
     const double angle = 0.0628 * static_cast<double>(i % 100);
     point = {std::cos(angle), std::sin(angle), uniform(random)};
   }
@@ -154,15 +156,15 @@ inline Points<3> on_surface(Crowd cluster, std::size_t count, std::mt19937_64& r
 }
 
 template <Dim N>
-Points<N> points_of(Crowd cluster, std::size_t count) {
+Points<N> points_of(PointCloud cluster, std::size_t count) {
   std::mt19937_64 random(20261122);
   if constexpr (N == 3) {
-    if (cluster >= Crowd::on_cube) return on_surface(cluster, count, random);
+    if (cluster >= PointCloud::on_cube) return on_surface(cluster, count, random);
   }
-  if (cluster == Crowd::grid) return grid<N>(count, 1, random);
-  if (cluster == Crowd::decimal_grid) return grid<N>(count, 0.1, random);
-  if (cluster == Crowd::turned_grid) return turned(grid<N>(count, 1, random));
-  if (cluster == Crowd::on_lines) return on_lines<N>(count, random);
+  if (cluster == PointCloud::grid) return grid<N>(count, 1, random);
+  if (cluster == PointCloud::decimal_grid) return grid<N>(count, 0.1, random);
+  if (cluster == PointCloud::turned_grid) return turned(grid<N>(count, 1, random));
+  if (cluster == PointCloud::on_lines) return on_lines<N>(count, random);
   Points<N> points;
   points.reserve(count);
   while (points.size() < count) points.push_back(random_point<N>(cluster, random));

@@ -32,7 +32,7 @@ constexpr std::size_t manifolds_per_task = most_obbs_to_contact;
 /// A touching pair, and the axis test's result if both are 3D oriented boxes.
 struct TouchingPair {
   Pair pair;
-  ObbsLook look;
+  ObbAxisTest look;
 };
 
 template <Dim N, class T>
@@ -53,9 +53,9 @@ const Obb<N, T>* obb_of(const AnyShape<N, T>& shape) {
   return box;
 }
 
-/// look_at_boxes for at most one batch.
+/// test_axes for at most one batch.
 template <class T, class ShapesAt>
-void look_at_some_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
+void look_at_some_boxes(std::size_t count, const ShapesAt& shapes_at, ObbAxisTest* looks) {
   std::array<TwoObbs<T>, most_obbs_to_contact> boxes;
   std::array<std::uint16_t, most_obbs_to_contact> places;
   std::size_t box_count = 0;
@@ -67,7 +67,7 @@ void look_at_some_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* 
   }
   const auto some = std::span(boxes).first(box_count);
   if (box_count == count) return obb_kernels<T>().look(some, FirstBox::in_order, looks);
-  std::array<ObbsLook, most_obbs_to_contact> found;
+  std::array<ObbAxisTest, most_obbs_to_contact> found;
   obb_kernels<T>().look(some, FirstBox::in_order, found.data());
   for (std::size_t i = 0; i < box_count; ++i) looks[places[i]] = found[i];
 }
@@ -75,7 +75,7 @@ void look_at_some_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* 
 /// Tests the axes of those of `count` pairs, shapes_at(0) ..., that are 3D oriented boxes; leaves the results of the
 /// others unchanged.
 template <Dim N, class T, class ShapesAt>
-void look_at_boxes(std::size_t count, const ShapesAt& shapes_at, ObbsLook* looks) {
+void test_axes(std::size_t count, const ShapesAt& shapes_at, ObbAxisTest* looks) {
   if constexpr (N == 3) {
     for (std::size_t first = 0; first < count; first += most_obbs_to_contact) {
       look_at_some_boxes<T>(
@@ -92,7 +92,7 @@ class CandidatesOfTask {
  public:
   CandidatesOfTask(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates)
       : shapes_(shapes), candidates_(candidates) {
-    look_at_boxes<N, T>(
+    test_axes<N, T>(
         candidates.size(), [this](std::size_t i) { return shapes_of<N, T>(shapes_, candidates_[i]); }, looks_.data());
     judge_open();
   }
@@ -110,7 +110,9 @@ class CandidatesOfTask {
 
  private:
   void judge_open() {
-    const auto is_open = [](ObbsLook look) { return (look.bits & (ObbsLook::overlapping | ObbsLook::apart)) == 0; };
+    const auto is_open = [](ObbAxisTest look) {
+      return (look.bits & (ObbAxisTest::overlapping | ObbAxisTest::apart)) == 0;
+    };
     std::size_t open_count = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) open_count += is_open(looks_[i]) ? 1 : 0;
     if (open_count == 0) return;
@@ -126,13 +128,13 @@ class CandidatesOfTask {
     std::vector<Relation> relations(open.size());
     relations_of<N, T>(open, relations.data());
     for (std::size_t i = 0; i < open.size(); ++i) {
-      looks_[places[i]].bits |= relations[i] == Relation::apart ? ObbsLook::apart : 0;
+      looks_[places[i]].bits |= relations[i] == Relation::apart ? ObbAxisTest::apart : 0;
     }
   }
 
   std::span<const AnyShape<N, T>> shapes_;
   std::span<const Pair> candidates_;
-  std::array<ObbsLook, candidates_per_task> looks_{};
+  std::array<ObbAxisTest, candidates_per_task> looks_{};
 };
 
 /// Collects 3D pairs of spheres, capsules and boxes, except an oriented box with another box, by kind for the kernels
@@ -250,9 +252,9 @@ void write_manifolds(std::size_t count, const ShapesAt& shapes_at, const LookAt&
     PrimitivePairs<T> primitives;
     MixedPairs<T> mixed;
     for (std::size_t i = 0; i < count; ++i) {
-      const ObbsLook look = look_at(i);
+      const ObbAxisTest look = look_at(i);
       const ShapePair<N, T> shapes = shapes_at(i);
-      if (look.axis() == ObbsLook::no_axis) {
+      if (look.axis() == ObbAxisTest::no_axis) {
         if (!primitives.add(shapes, &manifold_at(i), i) && !mixed.add(shapes, &manifold_at(i), i)) contact_one(i);
         continue;
       }
@@ -280,8 +282,8 @@ void contacts_of(std::span<const ShapesToContact<N, T>> pairs) {
   for (std::size_t first = 0; first < pairs.size(); first += manifolds_per_task) {
     const auto some = pairs.subspan(first, std::min(manifolds_per_task, pairs.size() - first));
     const auto shapes_at = [some](std::size_t i) { return some[i].shapes; };
-    std::array<ObbsLook, manifolds_per_task> looks{};
-    look_at_boxes<N, T>(some.size(), shapes_at, looks.data());
+    std::array<ObbAxisTest, manifolds_per_task> looks{};
+    test_axes<N, T>(some.size(), shapes_at, looks.data());
     write_manifolds<N, T>(
         some.size(), shapes_at,
         [&looks](std::size_t i) { return looks[i]; }, [some](std::size_t i) -> auto& { return *some[i].manifold; });

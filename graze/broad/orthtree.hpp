@@ -158,7 +158,7 @@ class Orthtree {
     while (!open.empty()) {
       const std::uint32_t index = open.pop();
       const detail::Cell<N, T>& cell = tree_.cell(index);
-      const detail::CellPlace<N>& place = tree_.place(index);
+      const detail::CellPosition<N>& place = tree_.place(index);
       const bool is_leaf = cell.first_child == detail::no_index;
       const Box box{Vec<N, T>(place.center - place.half), Vec<N, T>(place.center + place.half)};
       if (!guarded(OrthtreeCell<N, T>{box, tree_.depth(index), cell.entries.count, is_leaf})) return;

@@ -181,7 +181,7 @@ inline constexpr bool are_for_epa =
 template <class A, class B>
 std::optional<Penetration<dimension_of<A>>> penetration_if_met(const A& a, const B& b) {
   if constexpr (are_for_epa<A, B>) {
-    if (hold_nan(a, b)) return std::nullopt;
+    if (any_nan(a, b)) return std::nullopt;
     if (!are_usual(a, b)) {
       if (const auto rescaled = penetration_in_range(a, b)) return *rescaled;
     }

@@ -368,7 +368,7 @@ template <class R, class Seen>
               Status::converged,
               met.error()};
     }
-  } else if (const CrossingEdges edges = quick_pair_on_edges(met); edges.is_known) {
+  } else if (const CrossingEdges edges = crossing_of_edges(met); edges.is_known) {
     return {{{ObbPoints<Point>(origin, turned).rounded(edges.points), no_point<Point>(), no_point<Point>(),
               no_point<Point>()}},
             1,

@@ -37,7 +37,7 @@ namespace detail {
 
 /// A hit in double, with a normal of any length. A zero normal stands for the direction against the ray.
 template <Dim N>
-struct Touch {
+struct RawHit {
   double t = 0;
   Vec<N, double> point = Vec<N, double>(0.0);
   Vec<N, double> normal = Vec<N, double>(0.0);

@@ -110,7 +110,7 @@ Relation relation_of_parts(const Compound<N, T>& compound, const S& shape) {
 template <class A, class B>
 inline Relation unless_nan(const A& a, const B& b, Relation verdict) {
   if constexpr (sees_nan<A, B> || sees_nan<B, A>) return verdict;
-  if (verdict == Relation::apart || hold_nan(a, b)) return Relation::apart;
+  if (verdict == Relation::apart || any_nan(a, b)) return Relation::apart;
   return verdict;
 }
 
@@ -138,7 +138,7 @@ inline Relation decide(const A& a, const B& b) {
   } else if constexpr (HasClosedForm<B, A>) {
     return unless_nan(a, b, closed_form(b, a));
   } else {
-    if (hold_nan(a, b)) return Relation::apart;
+    if (any_nan(a, b)) return Relation::apart;
     return relation_of_convex_ordered(a, b);
   }
 }

@@ -402,7 +402,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension
   } else if constexpr (is_compound<B>) {
     return cast_hit_of_parts(b, -motion, a, [&](const auto& part) { return cast_hit(a, motion, part); });
   } else {
-    if (hold_nan(a, b)) return std::nullopt;
+    if (any_nan(a, b)) return std::nullopt;
     if (!are_usual(a, b, motion)) {
       if (const auto rescaled = cast_hit_in_range(a, motion, b)) return *rescaled;
     }

@@ -35,7 +35,7 @@ class Soak {
   using T = scalar_of<Box>;
 
   void run(std::size_t operations) {
-    breath_ = test::soak_breath(operations);
+    breath_ = test::soak_cycle(operations);
     for (std::size_t operation = 0; operation < operations; ++operation) {
       step(operation);
       ASSERT_TRUE(is_right_) << "at operation " << operation << ", " << judge_.size() << " boxes";

@@ -51,12 +51,12 @@ class ContactQuestion : public PairQuestion<N, T> {
     return test::regression_row<N, T>("contact", pair.first, pair.second, test::number_text(truth.gap));
   }
 
-  static Parting own_answer(const Asked& asked) {
+  static Proximity own_answer(const Asked& asked) {
     const std::optional<Contact<N, T>> own = test::contact_of<N, T>(asked.pair.first, asked.pair.second);
-    return own ? Parting{true, static_cast<double>(own->depth), Vec<3, double>(own->normal)} : Parting{};
+    return own ? Proximity{true, static_cast<double>(own->depth), Vec<3, double>(own->normal)} : Proximity{};
   }
 
-  static void mark(const Asked& asked, const Parting& answer, Figures& figures) {
+  static void mark(const Asked& asked, const Proximity& answer, Figures& figures) {
     const bool is_measured = asked.is_clear() && asked.overlaps() && answer.meets;
     asked.count_verdict(answer.meets, figures);
     figures.count("measured", is_measured);
@@ -65,7 +65,7 @@ class ContactQuestion : public PairQuestion<N, T> {
 
  private:
   /// The error of the depth, or what is left of the overlap after the move if that is more.
-  static double error_of(const Asked& asked, const Parting& answer) {
+  static double error_of(const Asked& asked, const Proximity& answer) {
     if (!std::isfinite(answer.depth) || !is_finite(answer.normal)) return std::numeric_limits<double>::infinity();
     const double off = std::fabs(answer.depth + asked.truth.gap);
     const auto left_after = [&](const Vec<N, double>& way) {

@@ -67,7 +67,7 @@ inline constexpr Rival<OfPair<bool, double>> verdict_rivals<double>[] = {
 // ---- Depth
 
 /// A program's contact of two shapes.
-struct Parting {
+struct Proximity {
   bool meets = false;
   double depth = 0;
   Vec<3, double> normal = Vec<3, double>(0.0);  ///< From a to b, unit length; only if they overlap.
@@ -75,30 +75,30 @@ struct Parting {
 };
 
 /// btGjkPairDetector, as for verdicts.
-std::optional<Parting> bullet_parting(const Solid3<float>& a, const Solid3<float>& b);
+std::optional<Proximity> bullet_parting(const Solid3<float>& a, const Solid3<float>& b);
 
 /// fcl::collide with contacts; for triangles the test for shapes, but not the one for two of them, whose depth refers
 /// to their planes alone. Where its own GJK answers, depths and normals come with either sign, so signs are ignored.
-std::optional<Parting> fcl_parting(const Solid3<float>& a, const Solid3<float>& b);
-std::optional<Parting> fcl_parting(const Solid3<double>& a, const Solid3<double>& b);
+std::optional<Proximity> fcl_parting(const Solid3<float>& a, const Solid3<float>& b);
+std::optional<Proximity> fcl_parting(const Solid3<double>& a, const Solid3<double>& b);
 
 /// libccd's ccdGJKPenetration.
-std::optional<Parting> libccd_parting(const Solid3<double>& a, const Solid3<double>& b);
+std::optional<Proximity> libccd_parting(const Solid3<double>& a, const Solid3<double>& b);
 
 /// The deepest of the contacts from ODE's dCollide.
-std::optional<Parting> ode_parting(const Solid3<double>& a, const Solid3<double>& b);
+std::optional<Proximity> ode_parting(const Solid3<double>& a, const Solid3<double>& b);
 
 /// The formulas of textbook_depth.hpp.
-std::optional<Parting> textbook_parting(const Solid3<float>& a, const Solid3<float>& b);
-std::optional<Parting> textbook_parting(const Solid3<double>& a, const Solid3<double>& b);
+std::optional<Proximity> textbook_parting(const Solid3<float>& a, const Solid3<float>& b);
+std::optional<Proximity> textbook_parting(const Solid3<double>& a, const Solid3<double>& b);
 
 template <class T>
 inline constexpr std::nullptr_t contact_rivals = nullptr;
 template <>
-inline constexpr Rival<OfPair<Parting, float>> contact_rivals<float>[] = {
+inline constexpr Rival<OfPair<Proximity, float>> contact_rivals<float>[] = {
     {"textbook", textbook_parting}, {"Bullet", bullet_parting}, {"FCL", fcl_parting}};
 template <>
-inline constexpr Rival<OfPair<Parting, double>> contact_rivals<double>[] = {
+inline constexpr Rival<OfPair<Proximity, double>> contact_rivals<double>[] = {
     {"textbook", textbook_parting}, {"FCL", fcl_parting}, {"libccd", libccd_parting}, {"ODE", ode_parting}};
 
 // ---- Manifolds. libccd returns one point for all shapes.

@@ -91,12 +91,12 @@ std::optional<bool> bullet_answer(const Solid3<float>& a, const Solid3<float>& b
   return nearest->m_hasResult && nearest->m_distance <= 0;
 }
 
-std::optional<Parting> bullet_parting(const Solid3<float>& a, const Solid3<float>& b) {
+std::optional<Proximity> bullet_parting(const Solid3<float>& a, const Solid3<float>& b) {
   const std::optional<btPointCollector> nearest = nearest_of(a, b);
   if (!nearest) return std::nullopt;
-  if (!nearest->m_hasResult || nearest->m_distance > 0) return Parting{};
+  if (!nearest->m_hasResult || nearest->m_distance > 0) return Proximity{};
   const btVector3 way = -nearest->m_normalOnBInWorld;
-  return Parting{true, -static_cast<double>(nearest->m_distance), wide_point(way)};
+  return Proximity{true, -static_cast<double>(nearest->m_distance), wide_point(way)};
 }
 
 std::optional<Separation> bullet_separation(const Solid3<float>& a, const Solid3<float>& b) {

@@ -42,12 +42,12 @@ bool meet(const Placed<First, T>& a, const Placed<Second, T>& b) {
 }
 
 template <class T>
-Parting parting(T depth, const fcl::Vector3<T>& normal) {
+Proximity parting(T depth, const fcl::Vector3<T>& normal) {
   return {true, std::fabs(static_cast<double>(depth)), Vec<3, double>(normal[0], normal[1], normal[2]), true};
 }
 
 template <class Shape, class T>
-Parting parting(const Placed<Shape, T>& a, const Triangle<3, T>& b) {
+Proximity parting(const Placed<Shape, T>& a, const Triangle<3, T>& b) {
   const fcl::detail::GJKSolver_indep<T> solver;
   fcl::Vector3<T> point;
   fcl::Vector3<T> normal;
@@ -59,7 +59,7 @@ Parting parting(const Placed<Shape, T>& a, const Triangle<3, T>& b) {
 }
 
 template <class First, class Second, class T>
-Parting parting(const Placed<First, T>& a, const Placed<Second, T>& b) {
+Proximity parting(const Placed<First, T>& a, const Placed<Second, T>& b) {
   fcl::CollisionRequest<T> request(1, true);
   request.gjk_solver_type = fcl::GST_INDEP;
   fcl::CollisionResult<T> result;
@@ -124,9 +124,9 @@ std::optional<bool> answer(const Solid3<T>& a, const Solid3<T>& b) {
 }
 
 template <class T>
-std::optional<Parting> parting_of(const Solid3<T>& a, const Solid3<T>& b) {
+std::optional<Proximity> parting_of(const Solid3<T>& a, const Solid3<T>& b) {
   return std::visit(
-      [](const auto& held_a, const auto& held_b) -> std::optional<Parting> {
+      [](const auto& held_a, const auto& held_b) -> std::optional<Proximity> {
         using A = std::decay_t<decltype(held_a)>;
         using B = std::decay_t<decltype(held_b)>;
         if constexpr ((is_plane_or_half_space<A> && is_plane_or_half_space<B>) ||
@@ -172,8 +172,8 @@ std::optional<ContactPatch> patch_of(const Solid3<T>& a, const Solid3<T>& b) {
 std::optional<bool> fcl_answer(const Solid3<float>& a, const Solid3<float>& b) { return answer<float>(a, b); }
 std::optional<bool> fcl_answer(const Solid3<double>& a, const Solid3<double>& b) { return answer<double>(a, b); }
 
-std::optional<Parting> fcl_parting(const Solid3<float>& a, const Solid3<float>& b) { return parting_of<float>(a, b); }
-std::optional<Parting> fcl_parting(const Solid3<double>& a, const Solid3<double>& b) {
+std::optional<Proximity> fcl_parting(const Solid3<float>& a, const Solid3<float>& b) { return parting_of<float>(a, b); }
+std::optional<Proximity> fcl_parting(const Solid3<double>& a, const Solid3<double>& b) {
   return parting_of<double>(a, b);
 }
 

@@ -93,7 +93,7 @@ std::optional<bool> libccd_answer(const Solid3<double>& a, const Solid3<double>&
   return ccdGJKIntersect(&*body_a, &*body_b, &settings) != 0;
 }
 
-std::optional<Parting> libccd_parting(const Solid3<double>& a, const Solid3<double>& b) {
+std::optional<Proximity> libccd_parting(const Solid3<double>& a, const Solid3<double>& b) {
   const std::optional<Body> body_a = std::visit(BodyOf(), a);
   const std::optional<Body> body_b = std::visit(BodyOf(), b);
   if (!body_a || !body_b) return std::nullopt;
@@ -102,11 +102,11 @@ std::optional<Parting> libccd_parting(const Solid3<double>& a, const Solid3<doub
   ccd_vec3_t way;
   ccd_vec3_t place;
   try {
-    if (ccdGJKPenetration(&*body_a, &*body_b, &settings, &depth, &way, &place) != 0) return Parting{};
+    if (ccdGJKPenetration(&*body_a, &*body_b, &settings, &depth, &way, &place) != 0) return Proximity{};
   } catch (const GivesUp&) {
-    return Parting{};
+    return Proximity{};
   }
-  return Parting{true, depth, Vec3(way.v[0], way.v[1], way.v[2])};
+  return Proximity{true, depth, Vec3(way.v[0], way.v[1], way.v[2])};
 }
 
 }  // namespace graze::exam

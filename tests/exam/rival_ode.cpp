@@ -127,10 +127,10 @@ std::optional<std::vector<dContactGeom>> contacts_of(const Solid3<double>& a, co
 
 }  // namespace
 
-std::optional<Parting> ode_parting(const Solid3<double>& a, const Solid3<double>& b) {
+std::optional<Proximity> ode_parting(const Solid3<double>& a, const Solid3<double>& b) {
   const auto contacts = contacts_of(a, b);
   if (!contacts) return std::nullopt;
-  Parting deepest;
+  Proximity deepest;
   for (const dContactGeom& contact : *contacts) {
     if (deepest.meets && contact.depth <= deepest.depth) continue;
     // The normal is the direction in which a moves.
@@ -149,7 +149,7 @@ std::optional<ContactPatch> ode_patch(const Solid3<double>& a, const Solid3<doub
 }
 
 std::optional<bool> ode_answer(const Solid3<double>& a, const Solid3<double>& b) {
-  const std::optional<Parting> parting = ode_parting(a, b);
+  const std::optional<Proximity> parting = ode_parting(a, b);
   if (!parting) return std::nullopt;
   return parting->meets;
 }

@@ -25,13 +25,13 @@ std::optional<bool> answer(const Solid3<T>& a, const Solid3<T>& b) {
 }
 
 template <class T>
-std::optional<Parting> parting(const Solid3<T>& a, const Solid3<T>& b) {
+std::optional<Proximity> parting(const Solid3<T>& a, const Solid3<T>& b) {
   return std::visit(
-      [](const auto& held_a, const auto& held_b) -> std::optional<Parting> {
+      [](const auto& held_a, const auto& held_b) -> std::optional<Proximity> {
         if constexpr (requires { textbook::minimum_translation(held_a, held_b); }) {
           const auto found = textbook::minimum_translation(held_a, held_b);
-          if (!found) return Parting{};
-          return Parting{true, static_cast<double>(found->depth), Vec<3, double>(found->normal)};
+          if (!found) return Proximity{};
+          return Proximity{true, static_cast<double>(found->depth), Vec<3, double>(found->normal)};
         } else {
           return std::nullopt;
         }
@@ -59,8 +59,10 @@ std::optional<RayVerdict> verdict(const Solid3<T>& shape, const Ray<3, T>& ray) 
 std::optional<bool> textbook_answer(const Solid3<float>& a, const Solid3<float>& b) { return answer<float>(a, b); }
 std::optional<bool> textbook_answer(const Solid3<double>& a, const Solid3<double>& b) { return answer<double>(a, b); }
 
-std::optional<Parting> textbook_parting(const Solid3<float>& a, const Solid3<float>& b) { return parting<float>(a, b); }
-std::optional<Parting> textbook_parting(const Solid3<double>& a, const Solid3<double>& b) {
+std::optional<Proximity> textbook_parting(const Solid3<float>& a, const Solid3<float>& b) {
+  return parting<float>(a, b);
+}
+std::optional<Proximity> textbook_parting(const Solid3<double>& a, const Solid3<double>& b) {
   return parting<double>(a, b);
 }
 

@@ -97,8 +97,8 @@ void check(io::RecordingReader& reader) {
 /// The first byte selects whether the file has the size that its header promises, or any.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   test::fuzz::Input input(data, size);
-  const bool is_whole = input.below(4) != 0;
-  const std::string bytes = is_whole ? with_promised_size(input.rest()) : input.rest();
+  const bool is_integer = input.below(4) != 0;
+  const std::string bytes = is_integer ? with_promised_size(input.rest()) : input.rest();
   std::optional<io::RecordingReader> reader = opened(bytes);
   if (!reader) return 0;
   if (reader->head().dimension() == 2) {

@@ -104,8 +104,8 @@ TEST(NewShape, HasTheDefectsOfItsFields) {
   EXPECT_EQ(defect(Cone3{V(0, nan, 0), V(0), 1}), "has a tip that is not finite");
   EXPECT_EQ(defect(Cone3{V(1), V(nan), 1}), "has a base that is not finite");
   EXPECT_EQ(defect(Cone3{V(1), V(0), -1}), "has a negative radius");
-  EXPECT_TRUE(detail::hold_nan(cone, Cone3{V(1), V(0), nan}));
-  EXPECT_FALSE(detail::hold_nan(cone, Sphere<3, double>{}));
+  EXPECT_TRUE(detail::any_nan(cone, Cone3{V(1), V(0), nan}));
+  EXPECT_FALSE(detail::any_nan(cone, Sphere<3, double>{}));
 }
 
 TEST(NewShape, HasAPlaceInTheOrderOfShapes) {

@@ -329,8 +329,7 @@ TEST(RayCast, NanAndExtremesGetAnAnswer) {
         for (const RaySide side : {RaySide::entry, RaySide::exit}) {
           const auto found = detail::find_hit(shape, path, side, detail::AskAboutRay<3, double>{ray});
           const bool is_hit = found.verdict == detail::RayVerdict::hits;
-          EXPECT_FALSE(is_hit && (std::isnan(value) || found.touch.t < 0))
-              << shape_type_names[type] << " with " << value;
+          EXPECT_FALSE(is_hit && (std::isnan(value) || found.hit.t < 0)) << shape_type_names[type] << " with " << value;
         }
       }
       x = before;

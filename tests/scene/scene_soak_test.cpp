@@ -48,7 +48,7 @@ template <Dim N, class T>
 class SceneSoak {
  public:
   void run(std::size_t operations) {
-    breath_ = test::soak_breath(operations);
+    breath_ = test::soak_cycle(operations);
     for (std::size_t operation = 0; operation < operations; ++operation) {
       step(operation);
       ASSERT_TRUE(is_right_) << "at operation " << operation << ", " << held_.size() << " objects";

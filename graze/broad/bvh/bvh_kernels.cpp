@@ -52,7 +52,7 @@ HWY_INLINE std::size_t write_chosen(const std::uint32_t* entries, std::uint32_t 
 }
 
 template <Dim N, class T>
-void find_met(const BvhNode<N, T>* nodes, BvhMetWalk<N, T>& walk) {
+void find_overlapping(const BvhNode<N, T>* nodes, BvhMetWalk<N, T>& walk) {
   const Tag<T> d;
   Lanes<T> low[N];
   Lanes<T> high[N];
@@ -169,7 +169,7 @@ std::uint32_t least_grown(const Block<N, T>& block, const Aabb<N, T>& box) {
 template <Dim N, class T>
 BvhKernels<N, T> kernels() {
   return {hwy::TargetName(HWY_TARGET),
-          find_met<N, T>,
+          find_overlapping<N, T>,
           met<N, T>,
           find_first<N, T>,
           entered<N, T>,

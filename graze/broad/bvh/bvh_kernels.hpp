@@ -64,7 +64,7 @@ struct BvhKernels {
   const char* target;
 
   /// Continues a walk until no node is open or `found` has no space for another leaf node.
-  void (*find_met)(const BvhNode<N, T>* nodes, BvhMetWalk<N, T>& walk);
+  void (*find_overlapping)(const BvhNode<N, T>* nodes, BvhMetWalk<N, T>& walk);
 
   /// Which boxes of a block share a point with a box, as a bit mask.
   std::uint32_t (*met)(const Block<N, T>& block, const Aabb<N, T>& box);

@@ -318,7 +318,7 @@ class NearWalk {
     looks_ = depth;
     prefetch_whole(nodes_ + link.index());
     if (depth > 0) ask_for_near(path[depth - 1], lanes[depth - 1]);  // while that one is being fetched
-    look_at_boxes(link);
+    test_axes(link);
     while (depth-- > 0) {
       const std::uint32_t others = ranked_within(path[depth], limit_) & ~(1U << lanes[depth]);
       look_at(path[depth], others);
@@ -336,7 +336,7 @@ class NearWalk {
   }
 
  private:
-  HWY_INLINE void look_at_boxes(BvhLink leaf) {
+  HWY_INLINE void test_axes(BvhLink leaf) {
     NearBoxes boxes;
     measure_boxes(point_, nodes_[leaf.index()], keep_.reach(), boxes);
     ++looks_;
@@ -374,7 +374,7 @@ class NearWalk {
     }
     if (children.link(0).is_leaf()) {
       while (count-- > 0) {
-        if (children.ranks[order[count]] <= limit_) look_at_boxes(children.link(order[count]));
+        if (children.ranks[order[count]] <= limit_) test_axes(children.link(order[count]));
       }
       return;
     }

@@ -32,7 +32,7 @@ bool visit_in_box(const BvhTree<N, T>& tree, const Aabb<N, T>& region, const Vis
   walk.open_count = 1;
   while (walk.open_count > 0) {
     walk.found_count = 0;
-    bvh_kernels<N, T>().find_met(tree.nodes(), walk);
+    bvh_kernels<N, T>().find_overlapping(tree.nodes(), walk);
     for (std::size_t k = 0; k < walk.found_count; ++k) {
       if (!visit(BvhName{walk.found[k], walk.generations[k]})) return false;
     }

@@ -94,7 +94,7 @@ class MixedPairs {
       boxes[i] = mixed_boxes(*pairs[i].oriented, *pairs[i].along_axes);
       named[i] = {&boxes[i].oriented, &boxes[i].along_axes};
     }
-    std::array<ObbsLook, at_once> looks;
+    std::array<ObbAxisTest, at_once> looks;
     obb_kernels<double>().look(std::span(named).first(pairs.size()), FirstBox::as_named, looks.data());
     Seen seen;
     std::array<ObbsToContact<double>, at_once> known;
@@ -102,7 +102,7 @@ class MixedPairs {
     std::size_t known_count = 0;
     std::bitset<at_once> is_left;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      is_left[i] = looks[i].axis() == ObbsLook::no_axis;
+      is_left[i] = looks[i].axis() == ObbAxisTest::no_axis;
       if (is_left[i]) continue;
       known[known_count] = to_contact(named[i], looks[i], pairs[i].is_turned, seen.at(i, pairs[i]));
       places[known_count++] = static_cast<std::uint8_t>(i);
@@ -119,10 +119,10 @@ class MixedPairs {
     }
   }
 
-  static ObbsToContact<double> to_contact(const TwoObbs<double>& named, ObbsLook look, bool is_turned,
+  static ObbsToContact<double> to_contact(const TwoObbs<double>& named, ObbAxisTest look, bool is_turned,
                                           Manifold<3, double>* manifold) {
     if (!is_turned) return {named, look, manifold};
-    return {{named.b, named.a}, {look.bits | ObbsLook::turned}, manifold};
+    return {{named.b, named.a}, {look.bits | ObbAxisTest::turned}, manifold};
   }
 
   std::array<Kept, most_obbs_to_contact> pairs_;

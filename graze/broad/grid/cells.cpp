@@ -46,7 +46,7 @@ void GridCells<N, T>::insert(std::uint32_t slot, const Box& box) {
   review();
   if (slot >= positions_.size()) positions_.resize(slot + std::size_t{1}, no_index);
   pool_.prepare();
-  const std::uint32_t cell = home_of(box);
+  const std::uint32_t cell = cell_for(box);
   add(cell, {box, slot});
   ++size_;
 }
@@ -61,7 +61,7 @@ void GridCells<N, T>::update(std::uint32_t slot, const Box& box) {
     grow_bounds(from, box);
   } else {
     pool_.prepare();
-    const std::uint32_t cell = home_of(box);
+    const std::uint32_t cell = cell_for(box);
     const std::uint32_t position = positions_[slot];
     add(cell, {box, slot});
     const std::uint32_t new_position = positions_[slot];
@@ -118,7 +118,7 @@ bool GridCells<N, T>::is_at(std::uint32_t cell, const GridPlace<N>& where) const
 
 /// The cell for a box, created if necessary. Raises the level of the roots until they contain it.
 template <Dim N, class T>
-std::uint32_t GridCells<N, T>::home_of(const Box& box) {
+std::uint32_t GridCells<N, T>::cell_for(const Box& box) {
   if (!has_grid_place(box)) return outside;
   const GridPlace<N> where = place_of(box);
   const int needed = level_at_origin(where);
@@ -332,7 +332,7 @@ void GridCells<N, T>::rebuild(int base) {
     if (position == no_index) continue;
     const Entry<N, T> entry{pool_.box(position), pool_.slot(position)};
     fresh.pool_.prepare();
-    fresh.add(fresh.home_of(entry.box), entry);
+    fresh.add(fresh.cell_for(entry.box), entry);
   }
   fresh.size_ = size_;
   *this = std::move(fresh);

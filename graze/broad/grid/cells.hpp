@@ -73,7 +73,7 @@ class GridCells {
 
   GridPlace<N> place_of(const Box& box) const;
   bool is_at(std::uint32_t cell, const GridPlace<N>& where) const;
-  std::uint32_t home_of(const Box& box);
+  std::uint32_t cell_for(const Box& box);
   std::uint32_t open_cell(const GridPlace<N>& where);
   void prepare_groups(std::size_t count);
   std::uint32_t new_group(std::uint32_t parent, const GridPlace<N>& where) noexcept;

@@ -267,7 +267,7 @@ HWY_INLINE void look_at_blocks(const EntryPage<N, T>* pages, const RowLimits<N, 
 }
 
 template <Dim N, class T>
-void find_met(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages, CellMetWalk<N, T>& walk) {
+void find_overlapping(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages, CellMetWalk<N, T>& walk) {
   const GroupLimits<N, T> group_limits(walk.region);
   const RowLimits<N, T> limits(walk.region);
   if (walk.has_way) look_along_way(groups, pages, group_limits, walk);
@@ -280,7 +280,7 @@ void find_met(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages, CellM
 
 template <Dim N, class T>
 CellKernels<N, T> kernels() {
-  return {hwy::TargetName(HWY_TARGET), find_met<N, T>, code_boxes<N, T>, bounds_of_finite<N, T>};
+  return {hwy::TargetName(HWY_TARGET), find_overlapping<N, T>, code_boxes<N, T>, bounds_of_finite<N, T>};
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ struct CellKernels {
   const char* target;
 
   /// Continues a walk until it is finished or there is no space for the boxes of another block.
-  void (*find_met)(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages, CellMetWalk<N, T>& walk);
+  void (*find_overlapping)(const CellGroup<N, T>* groups, const EntryPage<N, T>* pages, CellMetWalk<N, T>& walk);
 
   /// The codes of the centers of boxes, as by code_of, with the boxes' indices.
   void (*code)(const Aabb<N, T>* boxes, std::size_t count, const CodeScale<N, T>& scale, CodedBox* coded);

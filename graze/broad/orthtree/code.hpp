@@ -43,7 +43,7 @@ std::uint32_t spread_bits(std::uint32_t bits) {
 /// root that is a point, or too small for T, has one cell only.
 template <Dim N, class T>
 struct CodeScale {
-  explicit CodeScale(const CellPlace<N>& root) {
+  explicit CodeScale(const CellPosition<N>& root) {
     const double cells = std::ldexp(1.0, code_levels<N>);
     cells_per_unit = static_cast<T>(cells / 2 / root.half);
     if (!std::isfinite(cells_per_unit)) cells_per_unit = T(0);

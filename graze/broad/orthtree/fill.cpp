@@ -63,7 +63,7 @@ std::vector<Aabb<N, T>> sample_of(std::span<const Aabb<N, T>> boxes) {
 
 /// place_of_root, estimated from a sample of the boxes and the bounds of all.
 template <Dim N, class T>
-CellPlace<N> place_of_root_for(std::span<const Aabb<N, T>> boxes, const OrthtreeOptions& options) {
+CellPosition<N> place_of_root_for(std::span<const Aabb<N, T>> boxes, const OrthtreeOptions& options) {
   std::vector<Aabb<N, T>> sample = sample_of(boxes);
   if (sample.empty()) return {};
   Aabb<N, T> all = cell_kernels<N, T>().bounds(boxes.data(), boxes.size());
@@ -94,7 +94,7 @@ void CellFilling<N, T>::run() {
   tree_.reserve_groups(boxes_.size() / tree_.options_.capacity + 1);
   tree_.size_ = boxes_.size();
   if (boxes_.size() > tree_.options_.capacity) {
-    lay_root();
+    create_root();
     code_boxes();
     fill_cell(Tree::root, {0, boxes_.size(), 0, 0});
   } else {
@@ -104,8 +104,8 @@ void CellFilling<N, T>::run() {
 }
 
 template <Dim N, class T>
-void CellFilling<N, T>::lay_root() {
-  tree_.lay_root(place_of_root_for(boxes_, tree_.options_));
+void CellFilling<N, T>::create_root() {
+  tree_.create_root(place_of_root_for(boxes_, tree_.options_));
 }
 
 template <Dim N, class T>
@@ -119,7 +119,7 @@ void CellFilling<N, T>::code_boxes() {
 /// levels where leaves are expected, the boxes are not tested.
 template <Dim N, class T>
 bool CellFilling<N, T>::is_leaf(std::uint32_t cell, const Range& range) const {
-  const CellPlace<N>& place = tree_.places_[cell];
+  const CellPosition<N>& place = tree_.places_[cell];
   const int deepest = std::min(tree_.options_.max_depth, code_levels<N>);
   if (range.count() <= tree_.options_.capacity || range.depth >= deepest || !tree_.can_split(place)) return true;
   if (boxes_.size() >> static_cast<unsigned>(N * range.depth) > tree_.options_.capacity) return false;
@@ -228,7 +228,7 @@ Aabb<N, T> CellFilling<N, T>::fill_leaf(std::uint32_t cell, const Range& range) 
     tree_.cells_.set_bounds(cell, all);
     if (tree_.cells_.count(cell) > 0) return all;
   }
-  const CellPlace<N> place = tree_.places_[cell];
+  const CellPosition<N> place = tree_.places_[cell];
   const bool may_split = range.depth < tree_.options_.max_depth && tree_.can_split(place);
   Box bounds = Box::nothing();
   EntryList list;

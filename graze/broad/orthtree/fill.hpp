@@ -40,7 +40,7 @@ class CellFilling {
     std::size_t count() const { return last - first; }
   };
 
-  void lay_root();
+  void create_root();
   void code_boxes();
   bool is_leaf(std::uint32_t cell, const Range& range) const;
   std::array<std::size_t, Tree::children> ends_in(const Range& range) const;

@@ -26,7 +26,7 @@ namespace detail {
 /// The position of a square or cubic cell. Cells of the next level have half the size; the root's level decreases when
 /// it grows.
 template <Dim N>
-struct CellPlace {
+struct CellPosition {
   Vec<N, double> center = Vec<N, double>(0.0);
   double half = 0;
   int level = 0;
@@ -41,7 +41,7 @@ Vec<N, double> center_of(const Aabb<N, T>& box) {
 /// A cell takes boxes that are inside its square grown to twice its size (a loose tree): boxes up to its own size whose
 /// center it contains.
 template <Dim N, class T>
-bool fits(const CellPlace<N>& place, const Aabb<N, T>& box) {
+bool fits(const CellPosition<N>& place, const Aabb<N, T>& box) {
   unsigned sticks_out = 0;  // branch-free, because the outcome is unpredictable
   for (Dim i = 0; i < N; ++i) {
     sticks_out |= static_cast<unsigned>(!(static_cast<double>(box.min[i]) >= place.center[i] - 2 * place.half)) |
@@ -51,7 +51,7 @@ bool fits(const CellPlace<N>& place, const Aabb<N, T>& box) {
 }
 
 template <Dim N>
-bool contains_center(const CellPlace<N>& place, const Vec<N, double>& center) {
+bool contains_center(const CellPosition<N>& place, const Vec<N, double>& center) {
   unsigned is_beyond = 0;
   for (Dim i = 0; i < N; ++i) {
     is_beyond |= static_cast<unsigned>(!(std::fabs(center[i] - place.center[i]) <= place.half));
@@ -60,21 +60,21 @@ bool contains_center(const CellPlace<N>& place, const Vec<N, double>& center) {
 }
 
 template <Dim N, class T>
-bool takes(const CellPlace<N>& place, const Aabb<N, T>& box) {
+bool takes(const CellPosition<N>& place, const Aabb<N, T>& box) {
   return contains_center(place, center_of(box)) && fits(place, box);
 }
 
 /// The number of the child on a point's side.
 template <Dim N>
-std::uint32_t child_towards(const CellPlace<N>& place, const Vec<N, double>& center) {
+std::uint32_t child_towards(const CellPosition<N>& place, const Vec<N, double>& center) {
   std::uint32_t child = 0;
   for (Dim i = 0; i < N; ++i) child |= (center[i] >= place.center[i] ? 1U : 0U) << static_cast<unsigned>(i);
   return child;
 }
 
 template <Dim N>
-CellPlace<N> child_place(const CellPlace<N>& place, std::uint32_t child) {
-  CellPlace<N> result{place.center, place.half / 2, place.level + 1, no_index};
+CellPosition<N> child_place(const CellPosition<N>& place, std::uint32_t child) {
+  CellPosition<N> result{place.center, place.half / 2, place.level + 1, no_index};
   for (Dim i = 0; i < N; ++i) {
     const bool is_upper = (child >> static_cast<unsigned>(i) & 1U) != 0;
     result.center[i] += is_upper ? result.half : -result.half;
@@ -84,15 +84,15 @@ CellPlace<N> child_place(const CellPlace<N>& place, std::uint32_t child) {
 
 /// The cell of twice the size that has this one as a child and extends towards a point.
 template <Dim N>
-CellPlace<N> doubled_place(const CellPlace<N>& place, const Vec<N, double>& target) {
-  CellPlace<N> result{place.center, place.half * 2, place.level - 1, no_index};
+CellPosition<N> doubled_place(const CellPosition<N>& place, const Vec<N, double>& target) {
+  CellPosition<N> result{place.center, place.half * 2, place.level - 1, no_index};
   for (Dim i = 0; i < N; ++i) result.center[i] += target[i] >= place.center[i] ? place.half : -place.half;
   return result;
 }
 
 /// Whether a root contains another and is not much larger.
 template <Dim N>
-bool is_as_good(const CellPlace<N>& root, const CellPlace<N>& other) {
+bool is_as_good(const CellPosition<N>& root, const CellPosition<N>& other) {
   for (Dim i = 0; i < N; ++i) {
     if (std::fabs(other.center[i] - root.center[i]) + other.half > root.half) return false;
   }
@@ -108,8 +108,8 @@ struct AxisRange {
 inline AxisRange range_between(double low, double high) { return {low * 0.5 + high * 0.5, high * 0.5 - low * 0.5}; }
 
 template <Dim N, class Ranges>
-CellPlace<N> place_over(const Ranges& ranges) {
-  CellPlace<N> place;
+CellPosition<N> place_over(const Ranges& ranges) {
+  CellPosition<N> place;
   for (Dim i = 0; i < N; ++i) {
     const AxisRange range = ranges(i);
     place.center[i] = range.center;
@@ -121,12 +121,12 @@ CellPlace<N> place_over(const Ranges& ranges) {
 /// The square for a root of `count` boxes: around all; or, if a few distant boxes would cost more levels than there
 /// are, around the central seven eighths of the centers along each axis, doubled, estimated from a sample.
 template <Dim N, class T>
-CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& some, const Aabb<N, T>& all, std::size_t count,
-                           const OrthtreeOptions& options) {
-  const CellPlace<N> whole = place_over<N>(
+CellPosition<N> place_of_root(const std::vector<Aabb<N, T>>& some, const Aabb<N, T>& all, std::size_t count,
+                              const OrthtreeOptions& options) {
+  const CellPosition<N> whole = place_over<N>(
       [&](Dim i) { return range_between(static_cast<double>(all.min[i]), static_cast<double>(all.max[i])); });
   std::vector<double> centers(some.size());
-  const CellPlace<N> middle = place_over<N>([&](Dim i) {
+  const CellPosition<N> middle = place_over<N>([&](Dim i) {
     for (std::size_t k = 0; k < some.size(); ++k) centers[k] = center_of(some[k])[i];
     const auto skipped = static_cast<std::ptrdiff_t>(some.size() / 16);
     std::nth_element(centers.begin(), centers.begin() + skipped, centers.end());
@@ -143,7 +143,7 @@ CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& some, const Aabb<N, T>
 
 /// The same, from all boxes.
 template <Dim N, class T>
-CellPlace<N> place_of_root(const std::vector<Aabb<N, T>>& boxes, const OrthtreeOptions& options) {
+CellPosition<N> place_of_root(const std::vector<Aabb<N, T>>& boxes, const OrthtreeOptions& options) {
   Aabb<N, T> all = Aabb<N, T>::nothing();
   for (const Aabb<N, T>& box : boxes) all.grow(box);
   return place_of_root(boxes, all, boxes.size(), options);

@@ -18,7 +18,7 @@
 namespace graze::detail {
 
 template <Dim N, class T>
-CellTree<N, T>::CellTree(const OrthtreeOptions& options) : options_(options), places_(children, CellPlace<N>{}) {
+CellTree<N, T>::CellTree(const OrthtreeOptions& options) : options_(options), places_(children, CellPosition<N>{}) {
   if (options.capacity < 1) throw std::invalid_argument("Orthtree: capacity is 0; it must be at least 1");
   if (options.max_depth < 0 || options.max_depth > depth_limit) {
     throw std::invalid_argument("Orthtree: max_depth is " + std::to_string(options.max_depth) +
@@ -29,7 +29,7 @@ CellTree<N, T>::CellTree(const OrthtreeOptions& options) : options_(options), pl
 template <Dim N, class T>
 void CellTree<N, T>::insert(std::uint32_t slot, const Box& box) {
   if (slot >= positions_.size()) positions_.resize(slot + std::size_t{1}, no_index);
-  const std::uint32_t cell = home_of(box);
+  const std::uint32_t cell = cell_for(box);
   pool_.prepare();
   add(cell, {box, slot});
   ++size_;
@@ -47,7 +47,7 @@ void CellTree<N, T>::update(std::uint32_t slot, const Box& box) {
   if (!stays(present, box)) {
     move(slot, home_near(present, box), box);
   } else if (refit_is_due(present)) {
-    move(slot, home_of(box), box);
+    move(slot, cell_for(box), box);
   } else {
     pool_.box(positions_[slot]) = box;
     grow_bounds(present, box);
@@ -97,7 +97,7 @@ void CellTree<N, T>::clear() noexcept {
 
 template <Dim N, class T>
 std::size_t CellTree<N, T>::bytes() const {
-  return cells_.bytes() + places_.capacity() * sizeof(CellPlace<N>) + pool_.bytes() +
+  return cells_.bytes() + places_.capacity() * sizeof(CellPosition<N>) + pool_.bytes() +
          positions_.capacity() * sizeof(std::uint32_t);
 }
 
@@ -107,14 +107,14 @@ std::size_t CellTree<N, T>::bytes() const {
 template <Dim N, class T>
 bool CellTree<N, T>::stays(std::uint32_t cell, const Box& box) const {
   if (cell == outside) return !(has_root() && takes(places_[root], box));
-  const CellPlace<N>& place = places_[cell];
+  const CellPosition<N>& place = places_[cell];
   if (!takes(place, box)) return false;
   return is_leaf(cell) || !fits(child_place(place, child_towards(place, center_of(box))), box);
 }
 
 /// The cell for a box. Splits full cells, and creates a new root if necessary.
 template <Dim N, class T>
-std::uint32_t CellTree<N, T>::home_of(const Box& box) {
+std::uint32_t CellTree<N, T>::cell_for(const Box& box) {
   const auto find = [&] {
     return has_root() && (takes(places_[root], box) || grow_root(box)) ? home_below(root, box) : outside;
   };
@@ -136,7 +136,7 @@ std::uint32_t CellTree<N, T>::home_below(std::uint32_t cell, const Box& box) {
   grow_bounds(cell, box);
   const Vec<N, double> center = center_of(box);
   const int deepest = places_[root].level + options_.max_depth;
-  CellPlace<N> place = places_[cell];
+  CellPosition<N> place = places_[cell];
   while (true) {
     const bool was_leaf = is_leaf(cell);
     if (was_leaf && (cells_.count(cell) < options_.capacity || place.level == deepest || !can_split(place))) {
@@ -155,7 +155,7 @@ std::uint32_t CellTree<N, T>::home_below(std::uint32_t cell, const Box& box) {
 template <Dim N, class T>
 std::uint32_t CellTree<N, T>::home_near(std::uint32_t cell, const Box& box) {
   while (cell != no_index && cell != outside && !takes(places_[cell], box)) cell = places_[cell].parent;
-  return cell == no_index || cell == outside ? home_of(box) : home_below(cell, box);
+  return cell == no_index || cell == outside ? cell_for(box) : home_below(cell, box);
 }
 
 // ---- Adding and removing entries
@@ -213,7 +213,7 @@ Aabb<N, T> CellTree<N, T>::refresh(std::uint32_t cell) {  // NOLINT(misc-no-recu
 
 /// Whether a leaf may be split apart from the depth limit.
 template <Dim N, class T>
-bool CellTree<N, T>::can_split(const CellPlace<N>& place) const {
+bool CellTree<N, T>::can_split(const CellPosition<N>& place) const {
   return place.half > 0 && cells_.size() < no_index - children;
 }
 
@@ -246,7 +246,7 @@ template <Dim N, class T>
 void CellTree<N, T>::split(std::uint32_t cell) {
   pool_.prepare(pool_.blocks_of(cells_.count(cell)) + children);
   const std::uint32_t first = new_group(cell);
-  const CellPlace<N> place = places_[cell];
+  const CellPosition<N> place = places_[cell];
   EntryList held = cells_.entries(cell);
   cells_.set_entries(cell, {});
   cells_.set_first_child(cell, first);
@@ -298,7 +298,7 @@ void CellTree<N, T>::merge_upwards(std::uint32_t cell) noexcept {
 // ---- The root
 
 template <Dim N, class T>
-void CellTree<N, T>::lay_root(const CellPlace<N>& place) {
+void CellTree<N, T>::create_root(const CellPosition<N>& place) {
   places_[root] = place;
   code_scale_ = CodeScale<N, T>(place);
   has_root_ = true;
@@ -307,7 +307,7 @@ void CellTree<N, T>::lay_root(const CellPlace<N>& place) {
 /// Doubles the root until a box fits, if the cells below stay within the depth limit.
 template <Dim N, class T>
 bool CellTree<N, T>::grow_root(const Box& box) {
-  CellPlace<N> place = places_[root];
+  CellPosition<N> place = places_[root];
   if (!is_valid(box) || !(place.half > 0)) return false;
   const Vec<N, double> target = center_of(box);
   while (!takes(place, box)) {
@@ -321,8 +321,8 @@ bool CellTree<N, T>::grow_root(const Box& box) {
 /// The root becomes a child of a new root, which takes its index.
 template <Dim N, class T>
 void CellTree<N, T>::double_root(const Vec<N, double>& target) {
-  const CellPlace<N> old_place = places_[root];
-  const CellPlace<N> new_place = doubled_place(old_place, target);
+  const CellPosition<N> old_place = places_[root];
+  const CellPosition<N> new_place = doubled_place(old_place, target);
   places_[root] = new_place;
   code_scale_ = CodeScale<N, T>(new_place);
   const std::uint32_t first = new_group(root);
@@ -368,12 +368,12 @@ void CellTree<N, T>::refit(double margin) {
   }
   changes_since_refit_ = 0;
   if (finite.empty()) return;
-  CellPlace<N> place = place_of_root(finite, options_);
+  CellPosition<N> place = place_of_root(finite, options_);
   if (has_root()) place.half *= margin;
   if (has_root() && is_as_good(places_[root], place)) return;
   CellTree fresh(options_);
   fresh.positions_.resize(positions_.size(), no_index);
-  fresh.lay_root(place);
+  fresh.create_root(place);
   for (const std::uint32_t position : positions_) {
     if (position == no_index) continue;
     const Entry<N, T> entry{pool_.box(position), pool_.slot(position)};

@@ -59,7 +59,7 @@ class CellTree {
   Cell<N, T> cell(std::uint32_t index) const { return cells_[index]; }
   const CellGroup<N, T>* groups() const { return cells_.groups(); }
   void prefetch_cell(std::uint32_t index) const { prefetch_whole(cells_.groups() + index / children); }
-  const CellPlace<N>& place(std::uint32_t index) const { return places_[index]; }
+  const CellPosition<N>& place(std::uint32_t index) const { return places_[index]; }
   const EntryPool<N, T>& pool() const { return pool_; }
   const OrthtreeOptions& options() const { return options_; }
   /// The scale that maps a point to its code.
@@ -73,18 +73,18 @@ class CellTree {
  private:
   friend class CellFilling<N, T>;
 
-  void lay_root(const CellPlace<N>& place);
+  void create_root(const CellPosition<N>& place);
   void reserve_groups(std::size_t count);
   bool is_leaf(std::uint32_t cell) const { return !cells_.has_children(cell); }
   bool stays(std::uint32_t cell, const Box& box) const;
-  std::uint32_t home_of(const Box& box);
+  std::uint32_t cell_for(const Box& box);
   std::uint32_t home_below(std::uint32_t cell, const Box& box);
   std::uint32_t home_near(std::uint32_t cell, const Box& box);
   void move(std::uint32_t slot, std::uint32_t cell, const Box& box);
   void add(std::uint32_t cell, const Entry<N, T>& entry);
   void remove(std::uint32_t position) noexcept;
   void grow_bounds(std::uint32_t cell, const Box& box);
-  bool can_split(const CellPlace<N>& place) const;
+  bool can_split(const CellPosition<N>& place) const;
   std::uint32_t new_group(std::uint32_t parent);
   void split(std::uint32_t cell);
   void merge_from(std::uint32_t cell) noexcept;
@@ -98,9 +98,9 @@ class CellTree {
   void refit(double margin);
 
   OrthtreeOptions options_;
-  CellGroups<N, T> cells_;                      // outside and the root, then groups of children
-  std::vector<CellPlace<N>> places_;            // by cell
-  CodeScale<N, T> code_scale_{CellPlace<N>{}};  // of the root
+  CellGroups<N, T> cells_;                         // outside and the root, then groups of children
+  std::vector<CellPosition<N>> places_;            // by cell
+  CodeScale<N, T> code_scale_{CellPosition<N>{}};  // of the root
   bool has_root_ = false;
   std::uint32_t free_group_ = no_index;  // a chain by first_child of each group's first cell
   EntryPool<N, T> pool_;

@@ -37,10 +37,10 @@ void visit_groups_in_box(const Cells& cells, const Aabb<N, T>& region, const Vis
   }
   walk.add_entries(cells.cell(Cells::outside).entries);
   walk.follow(CellWay<N>::to_middle(region, cells.code_scale()));
-  const auto find_met = cell_kernels<N, T>().find_met;
+  const auto find_overlapping = cell_kernels<N, T>().find_overlapping;
   while (!walk.is_over()) {
     walk.found_count = 0;
-    find_met(cells.groups(), cells.pool().pages(), walk);
+    find_overlapping(cells.groups(), cells.pool().pages(), walk);
     for (std::size_t k = 0; k < walk.found_count; ++k) {
       if (!visit(walk.found[k])) return;
     }

@@ -15,7 +15,7 @@ constexpr std::size_t most_children = std::size_t{block_size} * block_size;  // 
 constexpr std::size_t parents_at_once = 16;                                  // the order of pairs depends on it
 
 /// What tasks have found so far, to size the memory of later tasks: growing costs a copy and fresh pages.
-class FoundSoFar {
+class ResultStats {
  public:
   void add(std::size_t count) {
     pairs_ += count;
@@ -276,7 +276,7 @@ template <Dim N, class T>
 void PairSearch<N, T>::find_lists(std::size_t tasks, const Executor& executor) {
   while (found_.size() < tasks) found_.push_back(std::make_unique<Found>());
   for (std::size_t task = 0; task < tasks; ++task) found_[task]->count = 0;
-  FoundSoFar so_far;
+  ResultStats so_far;
   std::atomic<std::size_t> in_order = 0;  // this many tasks have ended and are in the first list
   executor.parallel_for(tasks, [&](std::size_t task) {
     const bool next_in_order = in_order == task;

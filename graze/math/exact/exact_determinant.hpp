@@ -53,7 +53,7 @@ inline double rough(Int128 number) {
 
 /// The dot product of numbers of up to 62 bits and numbers of up to 125 bits, in units of 2^64. The sign is exact and
 /// the size is approximate; results below one unit are returned as 0.5.
-inline double rough_dot(const IntegerVec& a, const HalvedVec& m) {
+inline double approximate_dot(const IntegerVec& a, const HalvedVec& m) {
   Int128 high = 0;
   for (std::size_t i = 0; i < 3; ++i) high += Int128(a[i]) * m.high[i];
   // The low halves add up to less than 3 * 2^62 of these units.
@@ -72,10 +72,10 @@ inline double rough_dot(const IntegerVec& a, const HalvedVec& m) {
 
 inline int ternary_sign(double number) { return number > 0 ? 1 : (number < 0 ? -1 : 0); }
 
-/// A point in integer units. `is_whole` is false if a coordinate is not an integer or not below 2^61.
+/// A point in integer units. `is_integer` is false if a coordinate is not an integer or not below 2^61.
 struct IntegerPoint {
   IntegerVec at{};
-  bool is_whole = true;
+  bool is_integer = true;
 
   IntegerPoint(const Vec<3, double>& point, double unit) {
     constexpr double end = 0x1p61;
@@ -83,7 +83,7 @@ struct IntegerPoint {
       const double scaled = point[i] * unit;
       const bool is_in_range = std::fabs(scaled) < end;
       const auto number = static_cast<std::int64_t>(is_in_range ? scaled : 0);
-      is_whole = is_whole && is_in_range && static_cast<double>(number) == scaled;
+      is_integer = is_integer && is_in_range && static_cast<double>(number) == scaled;
       at[static_cast<std::size_t>(i)] = number;
     }
   }
@@ -118,9 +118,9 @@ inline std::optional<int> sign_of_exact_determinant(const std::array<Vec<3, doub
   const IntegerPoint from(origin, unit);
   const std::array<IntegerPoint, 3> at = {IntegerPoint(points[0], unit), IntegerPoint(points[1], unit),
                                           IntegerPoint(points[2], unit)};
-  if (!from.is_whole || !at[0].is_whole || !at[1].is_whole || !at[2].is_whole) return std::nullopt;
+  if (!from.is_integer || !at[0].is_integer || !at[1].is_integer || !at[2].is_integer) return std::nullopt;
   const auto way = [&](std::size_t i) { return difference(at[i].at, from.at); };
-  return ternary_sign(rough_dot(way(0), integer_cross(way(1), way(2))));
+  return ternary_sign(approximate_dot(way(0), integer_cross(way(1), way(2))));
 }
 
 /// The plane through three points in integer units, calculated once to test many points.
@@ -129,15 +129,16 @@ class IntegerPlane {
   /// `unit` must scale coordinates to integers below 2^61. If it is zero or a point is not whole, `height_of` returns
   /// none.
   IntegerPlane(const std::array<IntegerPoint, 3>& points, double unit)
-      : is_whole_(unit != 0 && points[0].is_whole && points[1].is_whole && points[2].is_whole), from_(points[0].at) {
+      : is_whole_(unit != 0 && points[0].is_integer && points[1].is_integer && points[2].is_integer),
+        from_(points[0].at) {
     if (is_whole_) normal_ = integer_cross(difference(points[1].at, from_), difference(points[2].at, from_));
   }
 
   /// A number with the exact sign of `orientation` of the three points and this one, approximately proportional to the
   /// height of the point above the plane; or none.
   std::optional<double> height_of(const IntegerPoint& point) const {
-    if (!is_whole_ || !point.is_whole) return std::nullopt;
-    return rough_dot(difference(point.at, from_), normal_);
+    if (!is_whole_ || !point.is_integer) return std::nullopt;
+    return approximate_dot(difference(point.at, from_), normal_);
   }
 
  private:

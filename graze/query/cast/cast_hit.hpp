@@ -57,7 +57,7 @@ RayFinding<dimension_of<S>> ray_verdict_along(const S& shape, const Ray<dimensio
   }
   const Path<N> whole{path.origin, path.direction, std::numeric_limits<double>::infinity(), path.far};
   const RayFinding<N> found = entry(shape, whole, ask);
-  if (found.verdict == RayVerdict::misses || found.touch.t <= path.t_max) return found;
+  if (found.verdict == RayVerdict::misses || found.hit.t <= path.t_max) return found;
   if (start.verdict == RayVerdict::misses) return start;
   return settled(shape, path, AskAboutPath<N>{path}, start);
 }
@@ -75,9 +75,9 @@ std::optional<RayHit<dimension_of<S>, double>> hit_in_double(const S& shape, con
   const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(usable.ray.direction), usable.to_usable(1.0)};
   RayFinding<N> found = ray_verdict_along(shape, usable.ray, path);
   if (found.verdict == RayVerdict::misses) return std::nullopt;
-  if constexpr (is_a<Aabb, S>) put_on_surface(found.touch, shape);
-  const double t = std::min(1.0, usable.from_usable(found.touch.t));
-  return rounded<N, double>(found.touch, t, path.direction, RaySide::entry);
+  if constexpr (is_a<Aabb, S>) put_on_surface(found.hit, shape);
+  const double t = std::min(1.0, usable.from_usable(found.hit.t));
+  return rounded<N, double>(found.hit, t, path.direction, RaySide::entry);
 }
 
 template <Dim N>

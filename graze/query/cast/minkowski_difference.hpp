@@ -216,10 +216,10 @@ RayFinding<N> ray_verdict_of(const RoundedBox<N>& solid, const Path<N>& path) {
     if (!is_clear) return unsettled<N>();
     if (passage.enter() > to) continue;
     RayFinding<N> result{RayVerdict::hits, {}};
-    result.touch.t = std::max(passage.enter(), start);
-    result.touch.error = tolerance::rounding * size;
-    result.touch.normal = normal_along(passage.spoke(sides.direction), direction, result.touch.error);
-    result.touch.point = direction * result.touch.t;
+    result.hit.t = std::max(passage.enter(), start);
+    result.hit.error = tolerance::rounding * size;
+    result.hit.normal = normal_along(passage.spoke(sides.direction), direction, result.hit.error);
+    result.hit.point = direction * result.hit.t;
     return result;
   }
   return missed<N>();

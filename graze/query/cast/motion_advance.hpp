@@ -144,7 +144,7 @@ double reach_from(const Vec<dimension_of<S>, double>& center, const S& shape) {
 
 /// What separates two shapes at some time.
 template <Dim N>
-struct Parting {
+struct GapState {
   Vec<N, double> normal = Vec<N, double>(0.0);  ///< Unit vector, from a to b, in b's frame.
   double gap = 0;                               ///< Along the normal, minus the rounding error.
   double distance = 0;                          ///< An upper bound of the distance.
@@ -162,21 +162,21 @@ class ConvexPair {
   /// The height of the start of b along a normal, minus a's radius.
   double floor_along(const Vec<N, double>& normal) const { return dot(normal, b_.support(-normal)) - radius_; }
 
-  Parting<N> parting_at(const Pose<N, double>& pose) {
+  GapState<N> gap_state_at(const Pose<N, double>& pose) {
     MovingDifference<N, Number> differences(a_, b_, pose);
     found_ = corners_.size == 0 ? gjk_on(differences, {})
                                 : gjk_walk(differences, nearest_to_origin(differences.simplex_of(corners_)), {});
     corners_ = differences.corners_of(found_.simplex);
-    Parting<N> parting;
-    parting.resolution = found_.resolution + tolerance::rounding * radius_;
-    parting.distance = std::max(0.0, found_.upper - radius_);
-    parting.normal = unit_or(-found_.normal, Vec<N, double>(0.0));
-    parting.gap = found_.lower - radius_ - parting.resolution;
-    return parting;
+    GapState<N> state;
+    state.resolution = found_.resolution + tolerance::rounding * radius_;
+    state.distance = std::max(0.0, found_.upper - radius_);
+    state.normal = unit_or(-found_.normal, Vec<N, double>(0.0));
+    state.gap = found_.lower - radius_ - state.resolution;
+    return state;
   }
 
   /// The nearest point in b's frame: between the two surfaces, which nearly coincide. For the pose of the last call of
-  /// `parting_at`.
+  /// `gap_state_at`.
   Vec<N, double> point_at(const Pose<N, double>& pose, const Vec<N, double>& normal, double radius_b) const {
     MovingDifference<N, Number> differences(a_, b_, pose);
     GjkResult<N> known = found_;
@@ -204,7 +204,7 @@ class HalfSpacePair {
 
   double floor_along(const Vec<N, double>&) const { return height_ - radius_; }
 
-  Parting<N> parting_at(const Pose<N, double>& pose) const {
+  GapState<N> gap_state_at(const Pose<N, double>& pose) const {
     const double gap = height_ - radius_ - dot(normal_, foremost(pose));
     return {normal_, gap - slack_, std::max(0.0, gap), slack_};
   }
@@ -270,17 +270,17 @@ inline double least_between(double g, double h, double c) {
 /// the Illinois algorithm: Dowell, Jarratt, "A modified regula falsi method", 1971) or every third time by bisection,
 /// until little of it remains.
 template <Dim N, class Pair>
-Moment moment_parted(const Pair& pair, const Trajectory<N>& trajectory, const Moment& now, const Parting<N>& parting,
-                     double goal) {
+Moment moment_parted(const Pair& pair, const Trajectory<N>& trajectory, const Moment& now,
+                     const GapState<N>& state, double goal) {
   constexpr int step_limit = 96;
-  const GapInTime<N, Pair> gap(pair, trajectory, parting.normal);
-  const double spare = parting.gap - goal;
+  const GapInTime<N, Pair> gap(pair, trajectory, state.normal);
+  const double spare = state.gap - goal;
   Moment kept_moment = now;
   // What remains above the goal after a step, for a plane that holds until then if the result is not negative.
   const auto left_after = [&](double step) {
     const Moment then = trajectory.at(now.t + step);
-    const double after = gap.at(then) - parting.resolution;
-    const double left = least_between(parting.gap, after, trajectory.bend * step * step / 2) - goal;
+    const double after = gap.at(then) - state.resolution;
+    const double left = least_between(state.gap, after, trajectory.bend * step * step / 2) - goal;
     if (left >= 0) kept_moment = then;
     return left;
   };
@@ -329,26 +329,26 @@ std::optional<double> time_of_spheres(const Trajectory<N>& trajectory, double re
 template <Dim N, class Pair>
 std::optional<CastHit<N>> advance_to_impact(Pair pair, const Trajectory<N>& trajectory, double t, double radius_b) {
   Moment now = trajectory.at(t);
-  Parting<N> parting;
+  GapState<N> state;
   bool has_arrived = false;
   for (int step = 0; step < advance_step_limit; ++step) {
-    parting = pair.parting_at(trajectory.pose_of_a(now));
-    const double target = std::max(tolerance::impact * trajectory.size, 8 * parting.resolution);
-    has_arrived = parting.gap <= target;
+    state = pair.gap_state_at(trajectory.pose_of_a(now));
+    const double target = std::max(tolerance::impact * trajectory.size, 8 * state.resolution);
+    has_arrived = state.gap <= target;
     if (has_arrived) break;
     if (now.t >= 1) return std::nullopt;
-    const Moment next = moment_parted(pair, trajectory, now, parting, target / 2);
+    const Moment next = moment_parted(pair, trajectory, now, state, target / 2);
     if (!(next.t > now.t)) break;
     now = next;
   }
   const Pose<N, double> pose_of_a = trajectory.pose_of_a(now);
-  if (!has_arrived) parting = pair.parting_at(pose_of_a);  // at the limit, t has advanced since
-  const bool is_near = parting.distance <= 2 * tolerance::impact * trajectory.size + 16 * parting.resolution;
+  if (!has_arrived) state = pair.gap_state_at(pose_of_a);  // at the limit, t has advanced since
+  const bool is_near = state.distance <= 2 * tolerance::impact * trajectory.size + 16 * state.resolution;
   const Pose<N, double> back = trajectory.pose_of_b(now);
-  const Vec<N, double> point = pair.point_at(pose_of_a, parting.normal, radius_b);
-  return CastHit<N>{now.t, back.rotation * point + back.position, back.rotation * parting.normal,
+  const Vec<N, double> point = pair.point_at(pose_of_a, state.normal, radius_b);
+  return CastHit<N>{now.t, back.rotation * point + back.position, back.rotation * state.normal,
                     has_arrived && is_near ? Status::converged : Status::best_bound,
-                    parting.distance + parting.resolution};
+                    state.distance + state.resolution};
 }
 
 }  // namespace graze::detail

@@ -28,7 +28,7 @@ namespace graze::detail {
 
 /// Where a point that moves from zero touches a rounded zonotope.
 template <Dim N, std::size_t Edges>
-struct TouchOfZonotope {
+struct HitOfZonotope {
   double t = 0;
   Vec<N, double> normal = Vec<N, double>(0.0);  ///< Unit vector, along the motion.
   std::array<double, Edges> places{};           ///< On each half edge, from -1 to 1.
@@ -38,7 +38,7 @@ struct TouchOfZonotope {
 template <Dim N, std::size_t Edges>
 struct RayVerdictOfZonotope {
   RayVerdict verdict = RayVerdict::unclear;
-  TouchOfZonotope<N, Edges> touch{};
+  HitOfZonotope<N, Edges> hit{};
   bool are_places_known = true;  ///< False on a face with edges in more than two directions.
 };
 
@@ -250,17 +250,17 @@ concept HasZonotope = requires(const Core& core) {
 template <class A, class B, std::size_t Edges>
 CastHitOfZonotopes<dimension_of<A>> cast_hit_of_flat(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b,
                                                      const Radii& radii,
-                                                     const TouchOfZonotope<dimension_of<A>, Edges>& touch) {
+                                                     const HitOfZonotope<dimension_of<A>, Edges>& hit) {
   constexpr Dim N = dimension_of<A>;
-  const auto moved_a = relative_to(motion * -touch.t, a);
+  const auto moved_a = relative_to(motion * -hit.t, a);
   const double size = size_around_zero(moved_a) + size_around_zero(b);
-  const Vec<N, double> gap = touch.normal * (radii.a + radii.b);
-  const ClosestPair<N> nearest = closest_of_touching(relative_to(-gap, moved_a), b, touch.normal, size);
+  const Vec<N, double> gap = hit.normal * (radii.a + radii.b);
+  const ClosestPair<N> nearest = closest_of_touching(relative_to(-gap, moved_a), b, hit.normal, size);
   const double error = std::sqrt(nearest.squared);
   if (!(error <= tolerance::rounding * size)) return {};
   const double rounding = tolerance::rounding * (size + radii.a + radii.b + sum_abs(motion));
   return {RayVerdict::hits,
-          {touch.t, nearest.on_b - touch.normal * radii.b, touch.normal, Status::converged, error + rounding}};
+          {hit.t, nearest.on_b - hit.normal * radii.b, hit.normal, Status::converged, error + rounding}};
 }
 
 /// For a core a that moves along `motion`, not zero, from a position apart from b.
@@ -272,16 +272,16 @@ CastHitOfZonotopes<dimension_of<A>> cast_hit_of_zonotopes(const A& a, const Vec<
   const auto zonotope_b = zonotope(b);
   const auto solid = difference_of(zonotope_a, zonotope_b, radii.a + radii.b);
   const auto found = ZonotopeCast(solid, motion).run();
-  if (!found.are_places_known) return cast_hit_of_flat(a, motion, b, radii, found.touch);
+  if (!found.are_places_known) return cast_hit_of_flat(a, motion, b, radii, found.hit);
   if (found.verdict != RayVerdict::hits) return {found.verdict};
   Vec<N, double> on_b = zonotope_b.reference + zonotope_b.to_center;
   const std::size_t edges_of_a = zonotope_a.half_edges.size();
   for (std::size_t k = 0; k < zonotope_b.half_edges.size(); ++k) {
-    on_b += zonotope_b.half_edges[k] * found.touch.places[edges_of_a + k];
+    on_b += zonotope_b.half_edges[k] * found.hit.places[edges_of_a + k];
   }
-  const double error = found.touch.error + tolerance::rounding * sum_abs(motion);
+  const double error = found.hit.error + tolerance::rounding * sum_abs(motion);
   return {RayVerdict::hits,
-          {found.touch.t, on_b - found.touch.normal * radii.b, found.touch.normal, Status::converged, error}};
+          {found.hit.t, on_b - found.hit.normal * radii.b, found.hit.normal, Status::converged, error}};
 }
 
 }  // namespace graze::detail

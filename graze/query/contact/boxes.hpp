@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two boxes of any kind, at least one of them oriented: parting_axis.hpp with shortcuts for boxes, and the contact
+// Two boxes of any kind, at least one of them oriented: separating_axis.hpp with shortcuts for boxes, and the contact
 // points from the faces and edges that the axis belongs to. Include contact.hpp.
 #pragma once
 
@@ -15,8 +15,8 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/cores/closest.hpp>
 #include <graze/query/cores/features.hpp>
-#include <graze/query/cores/parting_axis.hpp>
 #include <graze/query/cores/penetration.hpp>
+#include <graze/query/cores/separating_axis.hpp>
 #include <graze/query/patch/manifold_points.hpp>
 #include <graze/query/patch/patch.hpp>
 #include <graze/shape/aabb.hpp>
@@ -114,7 +114,7 @@ inline constexpr double boxes_error = 2 * tolerance::rounding + same_axis;
 /// The axis, and what it is the normal of: the face of one box, or two edges.
 template <Dim N>
 struct BoxesAxis {
-  PartingAxis<N> axis;
+  SeparatingAxis<N> axis;
   bool is_of_b = false;
   Dim face = 0;  ///< If it is one: which of the box's axes it is perpendicular to.
   std::optional<std::array<Dim, 2>> edges;

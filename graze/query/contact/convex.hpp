@@ -58,7 +58,7 @@ Penetration<dimension_of<A>> penetration_of_convex_apart(const A& a, const B& b,
   constexpr Dim N = dimension_of<A>;
   const ConvexCores<N> cores = closest_of_convex(a, b);
   const double distance = std::sqrt(cores.closest.squared);
-  const PartingAxis<N> between{unit_or(cores.closest.between, unit_axis<N>(0)), distance};
+  const SeparatingAxis<N> between{unit_or(cores.closest.between, unit_axis<N>(0)), distance};
   Penetration<N> result = widened_along(between, cores.closest, radii);
   result.status = cores.status;
   const double proved = dot(between.normal, wide_support(b, -between.normal) - wide_support(a, between.normal));
@@ -85,7 +85,7 @@ Penetration<dimension_of<A>> penetration_of_depth(const WitnessedDifference<A, B
   const bool has_face = depth.face.size > 0;
   const ClosestPair<N> pair =
       has_face ? pair_at(differences, depth.face, way) : points_after(differences.a(), differences.b(), way);
-  Penetration<N> result = widened_along(PartingAxis<N>{depth.normal, -depth.upper}, pair, radii);
+  Penetration<N> result = widened_along(SeparatingAxis<N>{depth.normal, -depth.upper}, pair, radii);
   result.status = depth.status;
   result.error += std::max(0.0, depth.upper - depth.lower) + std::max(depth.gap, distance.upper) + depth.resolution;
   if (!has_face) result.error += std::sqrt(pair.squared);

@@ -14,8 +14,8 @@
 #include <graze/query/contact/boxes.hpp>
 #include <graze/query/cores/closest.hpp>
 #include <graze/query/cores/features.hpp>
-#include <graze/query/cores/parting_axis.hpp>
 #include <graze/query/cores/penetration.hpp>
+#include <graze/query/cores/separating_axis.hpp>
 #include <graze/query/cores/surface_point.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/shape/aabb.hpp>
@@ -54,7 +54,7 @@ auto seen_whole(const Vec<dimension_of<Core>, double>& origin, const Core& core,
 
 /// The answer for shapes whose cores are separated by an axis, given the points of the cores.
 template <Dim N>
-Penetration<N> widened_along(const PartingAxis<N>& axis, const ClosestPair<N>& cores, const Radii& radii) {
+Penetration<N> widened_along(const SeparatingAxis<N>& axis, const ClosestPair<N>& cores, const Radii& radii) {
   Penetration<N> result;
   const double depth = (radii.a + radii.b) - axis.gap;
   result.normal = axis.normal;
@@ -69,7 +69,7 @@ Penetration<N> widened_along(const PartingAxis<N>& axis, const ClosestPair<N>& c
 /// be apart, by rounding, in a direction other than the axis.
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_of_meeting(const A& a, const B& b, double size, const Radii& radii) {
-  PartingSearch<A, B> search(a, b, size);
+  SeparatingAxisSearch<A, B> search(a, b, size);
   offer_faces(a, b, search);
   const ClosestPair<dimension_of<A>> pair = points_along(a, b, search.best(), size);
   Penetration<dimension_of<A>> result = widened_along(search.best(), pair, radii);
@@ -79,7 +79,8 @@ Penetration<dimension_of<A>> penetration_of_meeting(const A& a, const B& b, doub
 
 /// Offers a direction, made exactly perpendicular to each edge that it is almost perpendicular to.
 template <class A, class B, class Core>
-void offer_straightened(const Vec<dimension_of<A>, double>& direction, const Core& core, PartingSearch<A, B>& search) {
+void offer_straightened(const Vec<dimension_of<A>, double>& direction, const Core& core,
+                        SeparatingAxisSearch<A, B>& search) {
   for (const auto& edge : edge_directions(core)) {
     const auto scaled = edge / std::max(max_abs(edge), std::numeric_limits<double>::min());
     if (max_abs(scaled) > 0) search.offer(straightened(direction, scaled));
@@ -93,9 +94,9 @@ Penetration<dimension_of<A>> penetration_of_apart(const A& a, const B& b, double
   constexpr Dim N = dimension_of<A>;
   const ClosestPair<N> cores = closest_of_apart(a, b, size);
   const double distance = std::sqrt(cores.squared);
-  const PartingAxis<N> between{unit_or(cores.between, unit_axis<N>(0)), distance};
+  const SeparatingAxis<N> between{unit_or(cores.between, unit_axis<N>(0)), distance};
   if (distance > tolerance::known_direction * size) return widened_along(between, cores, radii);
-  PartingSearch<A, B> search(a, b, size);
+  SeparatingAxisSearch<A, B> search(a, b, size);
   search.offer(between.normal);
   offer_straightened(between.normal, a, search);
   offer_straightened(between.normal, b, search);

@@ -101,8 +101,8 @@ class AxisTest {
   bool project(const Vec<N, double>& axis, const std::array<Vec<N, double>, A>& edges_a,
                const std::array<Vec<N, double>, B>& edges_b) {
     const Vec<N, double> size = abs(axis);
-    const Shadow a = shadow(axis, size, edges_a);
-    const Shadow b = shadow(axis, size, edges_b);
+    const Projection a = projection(axis, size, edges_a);
+    const Projection b = projection(axis, size, edges_b);
     const double gap = std::fabs(dot(axis, between_)) - (a.reach + b.reach);
     const double magnitude = dot(size, abs(between_)) + (a.magnitude + b.magnitude);
     const double extent = sum_abs(between_) + (a.extent + b.extent);
@@ -118,16 +118,16 @@ class AxisTest {
  private:
   /// The projection of a zonotope to an axis: sum |axis . edge|, the same without cancellation, and the size of the
   /// edges themselves.
-  struct Shadow {
+  struct Projection {
     double reach = 0;
     double magnitude = 0;
     double extent = 0;
   };
 
   template <std::size_t Edges>
-  static Shadow shadow(const Vec<N, double>& axis, const Vec<N, double>& size,
-                       const std::array<Vec<N, double>, Edges>& half_edges) {
-    Shadow result;
+  static Projection projection(const Vec<N, double>& axis, const Vec<N, double>& size,
+                               const std::array<Vec<N, double>, Edges>& half_edges) {
+    Projection result;
     for (const Vec<N, double>& edge : half_edges) {
       result.reach += std::fabs(dot(axis, edge));
       result.magnitude += dot(size, abs(edge));

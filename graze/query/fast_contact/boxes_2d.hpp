@@ -235,7 +235,7 @@ class Contact2d {
     const double at_height = (reach_ - cut.above[0]) / rise;
     if (is_start_high) cut.share[0] = at_height;
     if (is_end_high) cut.share[1] = at_height;
-    put_found(reach_ - gap_, up_ * (is_of_first_ ? 1.0 : -1.0), look);
+    set_result(reach_ - gap_, up_ * (is_of_first_ ? 1.0 : -1.0), look);
     put_point<of_first>(cut, 0, is_start_high, look.points[0]);
     put_point<of_first>(cut, 1, is_end_high, look.points[1]);
     look.size = 2;
@@ -299,7 +299,7 @@ class Contact2d {
     const double depth = reach_ - distance;
     if (!is_clear || std::fabs(depth) <= doubt_) return;
     const V normal = way * (1 / distance);
-    put_found(depth, of_first ? normal : -normal, look);
+    set_result(depth, of_first ? normal : -normal, look);
     put_pair<of_first>(corner + normal * own.radius, corner + way - normal * other.radius, depth,
                        {corner_feature(own, own_sides), corner_feature(other, other_sides)}, look.points[0]);
     look.size = 1;
@@ -319,7 +319,7 @@ class Contact2d {
   // ---- From the first of the pair to the second
 
   /// With the normal from the first core to the second, but without points.
-  [[gnu::always_inline]] void put_found(double depth, const V& normal, FastContact2d& look) const {
+  [[gnu::always_inline]] void set_result(double depth, const V& normal, FastContact2d& look) const {
     look.is_known = true;
     look.meets = depth > 0;
     look.found.normal = normal * turns_;

@@ -28,7 +28,7 @@ namespace graze::detail::one_pair {
 namespace graze::detail {
 
 /// On a face a capsule may have two points, which not every caller needs.
-struct CapsuleLook : FastContact<3> {
+struct CapsuleResult : FastContact<3> {
   one_pair::CapsuleContact contact;
   bool turns;
 
@@ -59,13 +59,13 @@ struct CapsuleLook : FastContact<3> {
   }
 };
 
-inline void look_at_capsule(const one_pair::CapsuleAndBox& pair, CapsuleLook& look) {
+inline void look_at_capsule(const one_pair::CapsuleAndBox& pair, CapsuleResult& look) {
   one_pair::CapsuleOnBox(pair, look.contact).run();
   look.set_found();
 }
 
 template <class T, class Box>
-CapsuleLook look_at_capsule(const Box& box, const Capsule<3, T>& capsule, bool turns) {
+CapsuleResult look_at_capsule(const Box& box, const Capsule<3, T>& capsule, bool turns) {
   const Vec<3, double> origin = wide<3, T>(capsule.a);
   const Obb<3, double> seen = oriented_box_from(origin, box);
   one_pair::CapsuleAndBox pair{origin,
@@ -76,18 +76,18 @@ CapsuleLook look_at_capsule(const Box& box, const Capsule<3, T>& capsule, bool t
                                {seen.axes[0], seen.axes[1], seen.axes[2]},
                                0};
   pair.find_size();
-  CapsuleLook look;
+  CapsuleResult look;
   look.turns = turns;
   look_at_capsule(pair, look);
   return look;
 }
 
 template <class T>
-CapsuleLook find_fast_contact(const Aabb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
+CapsuleResult find_fast_contact(const Aabb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
   return look_at_capsule(box, capsule, turns);
 }
 template <class T>
-CapsuleLook find_fast_contact(const Obb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
+CapsuleResult find_fast_contact(const Obb<3, T>& box, const Capsule<3, T>& capsule, bool turns) {
   return look_at_capsule(box, capsule, turns);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A segment relative to a 3D box, for one pair or many (one_pair.hpp): the nearest point, and the direction of least
-// depth, by the separating-axis test of parting_axis.hpp in the box's own coordinates, for pairs where all but one of
-// the directions are clearly worse.
+// depth, by the separating-axis test of separating_axis.hpp in the box's own coordinates, for pairs where all but one
+// of the directions are clearly worse.
 
 /// In the box's own coordinates, as far as its axes are orthonormal.
 struct WayPastBox {

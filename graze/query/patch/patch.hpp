@@ -15,7 +15,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/cores/features.hpp>
-#include <graze/query/cores/parting_axis.hpp>
+#include <graze/query/cores/separating_axis.hpp>
 #include <graze/query/cores/surface_point.hpp>
 #include <graze/query/cores/surface_point_box.hpp>
 #include <graze/shape/aabb.hpp>

@@ -105,14 +105,14 @@ class Advance {
   RayFinding<N> missed_by(double height) {
     RayFinding<N> result = arrived(height);
     result.verdict = height > band_of_miss(shape_, path_) ? RayVerdict::misses : RayVerdict::unclear;
-    result.is_touch_known = false;
+    result.is_hit_known = false;
     return result;
   }
 
   const S& shape_;
   const Path<N>& path_;
   Vec<N, double> point_;
-  Touch<N> touch_;
+  RawHit<N> touch_;
 };
 
 /// Moves along the path, each time to the plane that GJK has found between the point and the shape: Newton's method on
@@ -134,7 +134,7 @@ RayFinding<dimension_of<S>> advance_by_distance(const S& shape, const Path<dimen
   auto result = advance.arrived(barrier.gap + barrier.resolution, has_arrived ? Status::converged : Status::best_bound);
   if (!has_arrived) {
     result.verdict = RayVerdict::unclear;
-    result.is_touch_known = false;
+    result.is_hit_known = false;
   }
   return result;
 }
@@ -254,8 +254,8 @@ Vec<dimension_of<S>, double> reach_past(const S& shape, const Path<dimension_of<
 /// The nearest point of a path that only nearly touches the shape. At a grazing angle Newton's method has passed it:
 /// the last plane gives only the normal.
 template <Convex S>
-Touch<dimension_of<S>> nearest_touch(const S& shape, const Path<dimension_of<S>>& path,
-                                     const Touch<dimension_of<S>>& passed) {
+RawHit<dimension_of<S>> nearest_hit(const S& shape, const Path<dimension_of<S>>& path,
+                                    const RawHit<dimension_of<S>>& passed) {
   constexpr Dim N = dimension_of<S>;
   const Vec<N, double> reach = reach_past(shape, path);
   const Vec<N, double> end = path.direction * path.t_max;
@@ -270,13 +270,13 @@ Touch<dimension_of<S>> nearest_touch(const S& shape, const Path<dimension_of<S>>
   };
   const Proximity<N, double> nearest = proximity_of();
   const double along = dot(nearest.point_b - path.origin, path.direction);
-  Touch<N> touch;
-  touch.t = std::clamp(along / dot(path.direction, path.direction), 0.0, path.t_max);  // a direction is not zero
-  touch.point = nearest.point_a;
-  touch.normal = passed.normal;
-  touch.error = nearest.distance + nearest.error;
-  touch.status = nearest.status;
-  return touch;
+  RawHit<N> hit;
+  hit.t = std::clamp(along / dot(path.direction, path.direction), 0.0, path.t_max);  // a direction is not zero
+  hit.point = nearest.point_a;
+  hit.normal = passed.normal;
+  hit.error = nearest.distance + nearest.error;
+  hit.status = nearest.status;
+  return hit;
 }
 
 /// GJK cannot tell a point from one that touches if the gap is at most this many resolutions: one for the plane between
@@ -289,26 +289,26 @@ inline constexpr double most_resolutions_at_touch = 4;
 /// answer if `relation` finds it on the shape, or if its error is less than the depth of the ray on its way to the
 /// nearest point: at most twice the depth in the middle.
 template <Convex S>
-Touch<dimension_of<S>> touch_by_advance(const S& shape, const Path<dimension_of<S>>& path) {
+RawHit<dimension_of<S>> hit_by_advance(const S& shape, const Path<dimension_of<S>>& path) {
   const RayFinding<dimension_of<S>> found = advance_to(shape, path);
-  if (found.verdict == RayVerdict::hits) return found.touch;
-  const Touch<dimension_of<S>> nearest = nearest_touch(shape, path, found.touch);
-  if (!(found.touch.t < nearest.t)) return nearest;
-  const auto barrier = barrier_at(shape, found.touch.point);
+  if (found.verdict == RayVerdict::hits) return found.hit;
+  const RawHit<dimension_of<S>> nearest = nearest_hit(shape, path, found.hit);
+  if (!(found.hit.t < nearest.t)) return nearest;
+  const auto barrier = barrier_at(shape, found.hit.point);
   const double off = barrier.gap + barrier.resolution;
-  const bool is_on_shape = decide(shape, found.touch.point) != Relation::apart;
-  const Vec<dimension_of<S>, double> middle = path.origin + path.direction * (0.5 * found.touch.t + 0.5 * nearest.t);
+  const bool is_on_shape = decide(shape, found.hit.point) != Relation::apart;
+  const Vec<dimension_of<S>, double> middle = path.origin + path.direction * (0.5 * found.hit.t + 0.5 * nearest.t);
   const double deepest = std::max(0.0, -2 * surface_point(shape, middle).distance);
   if (!is_on_shape && off >= std::max(nearest.error, deepest)) {
-    Touch<dimension_of<S>> touch = nearest;
-    touch.error = std::max(nearest.error, deepest);
-    return touch;
+    RawHit<dimension_of<S>> hit = nearest;
+    hit.error = std::max(nearest.error, deepest);
+    return hit;
   }
-  Touch<dimension_of<S>> touch = found.touch;
-  touch.error = is_on_shape ? std::max(found.touch.error, off) : off;
+  RawHit<dimension_of<S>> hit = found.hit;
+  hit.error = is_on_shape ? std::max(found.hit.error, off) : off;
   const bool is_near = barrier.gap <= most_resolutions_at_touch * barrier.resolution;
-  touch.status = is_on_shape || is_near ? Status::converged : Status::best_bound;
-  return touch;
+  hit.status = is_on_shape || is_near ? Status::converged : Status::best_bound;
+  return hit;
 }
 
 }  // namespace graze::detail

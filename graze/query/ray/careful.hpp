@@ -78,13 +78,13 @@ template <class S>
   constexpr Dim N = dimension_of<S>;
   if constexpr (HasRayVerdict<S>) {
     RayFinding<N> result = ray_verdict_of(relative_to(path.origin, shape), path);
-    result.touch.point += path.origin;
+    result.hit.point += path.origin;
     return result;
   } else if constexpr (HasBoundaryVerdict<S>) {
     return ray_verdict_of_boundary(shape, path);
   } else if constexpr (N == 2 && is_a<Polytope, S>) {
     RayFinding<N> result = ray_verdict_of_polygon<scalar_of<S>>(shape.vertices(), sum_abs(path.origin), path);
-    result.touch.point += path.origin;
+    result.hit.point += path.origin;
     return result;
   } else if constexpr (is_a<Polytope, S>) {
     return ray_verdict_of_polytope(shape, path);
@@ -100,18 +100,18 @@ RayFinding<dimension_of<S>> settled(const S& shape, const Path<dimension_of<S>>&
                                     const RayFinding<dimension_of<S>>& unclear) {
   constexpr Dim N = dimension_of<S>;
   if (ask(shape) == Relation::apart) return missed<N>();
-  RayFinding<N> result{RayVerdict::hits, unclear.touch};
-  if (unclear.is_touch_known) {
+  RayFinding<N> result{RayVerdict::hits, unclear.hit};
+  if (unclear.is_hit_known) {
     constexpr double slack_of_touching = tolerance::coarse / tolerance::rounding;
-    if constexpr (!HasBoundaryVerdict<S>) result.touch.error *= slack_of_touching;
+    if constexpr (!HasBoundaryVerdict<S>) result.hit.error *= slack_of_touching;
     return result;
   }
   if constexpr (Convex<S> && HasRayVerdict<S>) {
     const Path<N> from_zero{Vec<N, double>(0.0), path.direction, path.t_max, path.far};
-    result.touch = touch_by_advance(relative_to(path.origin, shape), from_zero);
-    result.touch.point += path.origin;
+    result.hit = hit_by_advance(relative_to(path.origin, shape), from_zero);
+    result.hit.point += path.origin;
   } else if constexpr (Convex<S>) {
-    result.touch = touch_by_advance(shape, path);
+    result.hit = hit_by_advance(shape, path);
   }
   return result;
 }
@@ -150,14 +150,14 @@ RayFinding<dimension_of<S>> last_touch(const S& shape, const Path<dimension_of<S
     const double last = beyond(seen, {Vec<N, double>(0.0), path.direction, path.t_max});
     const Path<N> back{path.direction * last, -path.direction, last, path.far};
     RayFinding<N> result = entry(seen, back, [&](const auto&) { return ask(shape); });
-    result.touch.t = last - result.touch.t;
-    result.touch.point += path.origin;
+    result.hit.t = last - result.hit.t;
+    result.hit.point += path.origin;
     return result;
   } else {
     const double last = beyond(shape, path);
     const Path<N> back{path.origin + path.direction * last, -path.direction, last, path.far};
     RayFinding<N> result = entry(shape, back, ask);
-    result.touch.t = last - result.touch.t;
+    result.hit.t = last - result.hit.t;
     return result;
   }
 }
@@ -166,7 +166,7 @@ RayFinding<dimension_of<S>> last_touch(const S& shape, const Path<dimension_of<S
 template <class S, class Ask>
 RayFinding<dimension_of<S>> exit(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
   const RayFinding<dimension_of<S>> last = last_touch(shape, path, ask);
-  if (last.verdict == RayVerdict::misses || last.touch.t <= path.t_max) return last;
+  if (last.verdict == RayVerdict::misses || last.hit.t <= path.t_max) return last;
   return entry(shape, path, ask).verdict == RayVerdict::misses ? missed<dimension_of<S>>() : last;
 }
 
@@ -181,7 +181,7 @@ template <Dim N, class T, class Ask>
 RayFinding<N> exit(const Plane<N, T>& plane, const Path<N>& path, const Ask& ask) {
   RayFinding<N> result = entry(plane, path, ask);
   if (result.verdict == RayVerdict::hits && is_along(plane, path)) return never<N>();
-  result.touch.normal = -result.touch.normal;
+  result.hit.normal = -result.hit.normal;
   return result;
 }
 
@@ -192,9 +192,8 @@ RayFinding<N> exit(const HalfSpace<N, T>& solid, const Path<N>& path, const Ask&
   const Vec<N, double> normal = wide<N, T>(solid.normal);
   if (!(dot(normal, path.direction) > 0) || is_along(boundary(solid), path)) return never<N>();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  RayFinding<N> result{RayVerdict::hits,
-                       touch_of_plane(boundary(solid), Path<N>{path.origin, path.direction, infinity})};
-  result.touch.normal = normal;
+  RayFinding<N> result{RayVerdict::hits, hit_of_plane(boundary(solid), Path<N>{path.origin, path.direction, infinity})};
+  result.hit.normal = normal;
   return result;
 }
 
@@ -203,7 +202,7 @@ template <Dim N, class T, class Ask>
 RayFinding<N> exit(const Ray<N, T>& target, const Path<N>& path, const Ask& ask) {
   RayFinding<N> result = entry(target, path, ask);
   if (result.verdict == RayVerdict::misses) return result;
-  result.touch.normal = -result.touch.normal;
+  result.hit.normal = -result.hit.normal;
   const Vec<3, double> d = direction_of(Ray<N, double>{path.origin, path.direction});
   const Vec<3, double> e = direction_of(target);
   const double lengths = std::sqrt(length_squared(d) * length_squared(e));
@@ -211,7 +210,7 @@ RayFinding<N> exit(const Ray<N, T>& target, const Path<N>& path, const Ask& ask)
   if (dot(d, e) > 0) return never<N>();
   const Vec<N, double> end = wide<N, T>(target.origin);
   const RayFinding<N> at_end = ray_verdict_of(end - path.origin, path);
-  result.touch = {at_end.touch.t, end, Vec<N, double>(0.0), result.touch.error};
+  result.hit = {at_end.hit.t, end, Vec<N, double>(0.0), result.hit.error};
   return result;
 }
 
@@ -226,7 +225,7 @@ RayFinding<dimension_of<S>> find_hit(const S& shape, const Path<dimension_of<S>>
 template <Dim N, class T, class Ask>
 RayFinding<N> find_hit(const Aabb<N, T>& box, const Path<N>& path, RaySide side, const Ask& ask) {
   RayFinding<N> result = side == RaySide::exit ? exit(box, path, ask) : entry(box, path, ask);
-  if (result.verdict == RayVerdict::hits) put_on_surface(result.touch, box);
+  if (result.verdict == RayVerdict::hits) put_on_surface(result.hit, box);
   return result;
 }
 
@@ -251,10 +250,10 @@ RayFinding<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RayS
     if (passes_by(touching_bounds(part.box), rest)) continue;
     const RayFinding<N> found = find_hit(part.shape, path, side, ask);
     if (found.verdict == RayVerdict::misses) continue;
-    const double ahead = side == RaySide::entry ? best.touch.t - found.touch.t : found.touch.t - best.touch.t;
+    const double ahead = side == RaySide::entry ? best.hit.t - found.hit.t : found.hit.t - best.hit.t;
     if (best.verdict == RayVerdict::hits && !(ahead > 0)) continue;
     best = found;
-    if (side == RaySide::entry) rest.t_max = found.touch.t;
+    if (side == RaySide::entry) rest.t_max = found.hit.t;
   }
   return best;
 }
@@ -273,14 +272,14 @@ Vec<N, double> default_normal(const Vec<N, double>& direction, RaySide side) {
 }
 
 template <Dim N, Scalar T>
-[[gnu::always_inline]] inline RayHit<N, T> rounded(const Touch<N>& touch, double t, const Vec<N, double>& direction,
+[[gnu::always_inline]] inline RayHit<N, T> rounded(const RawHit<N>& hit, double t, const Vec<N, double>& direction,
                                                    RaySide side) {
-  const double squared = dot(touch.normal, touch.normal);
+  const double squared = dot(hit.normal, hit.normal);
   const Vec<N, double> normal = squared > 0x1p-900 && squared < 0x1p900
-                                    ? touch.normal / std::sqrt(squared)  // squaring does not underflow
-                                    : unit_or(touch.normal, default_normal(direction, side));
+                                    ? hit.normal / std::sqrt(squared)  // squaring does not underflow
+                                    : unit_or(hit.normal, default_normal(direction, side));
   return {static_cast<T>(t) + T(0),  // never minus zero
-          Vec<N, T>(touch.point) + T(0), Vec<N, T>(normal) + T(0), touch.status, touch.error};
+          Vec<N, T>(hit.point) + T(0), Vec<N, T>(normal) + T(0), hit.status, hit.error};
 }
 
 /// The precise algorithm, if it is needed.
@@ -288,7 +287,7 @@ template <class S, class Ask>
 [[gnu::noinline]] RayFinding<dimension_of<S>> find_carefully(const S& shape, const Path<dimension_of<S>>& path,
                                                              RaySide side, const Ask& ask) {
   const RayFinding<dimension_of<S>> result = find_hit(shape, path, side, ask);
-  const bool is_in_time = result.touch.t <= path.t_max && result.touch.t < std::numeric_limits<double>::infinity();
+  const bool is_in_time = result.hit.t <= path.t_max && result.hit.t < std::numeric_limits<double>::infinity();
   return side == RaySide::entry || is_in_time ? result : missed<dimension_of<S>>();
 }
 
@@ -310,18 +309,18 @@ template <class S, class Ask>
       RayFinding<N> quick = verdict(shape, path);
       if (quick.verdict == RayVerdict::misses) return Hit();
       // How precisely a capsule's closed form knows the distance depends on the end of the path.
-      const bool is_whole = !is_a<Capsule, S> || path.t_max == end;
-      if (quick.verdict == RayVerdict::hits && is_whole) {
+      const bool is_integer = !is_a<Capsule, S> || path.t_max == end;
+      if (quick.verdict == RayVerdict::hits && is_integer) {
         if constexpr (!has_closed_form) quick = confirmed(shape, ask, quick);
         if (quick.verdict == RayVerdict::misses) return Hit();
-        if constexpr (is_a<Aabb, S>) put_on_surface(quick.touch, shape);
-        return Hit(rounded<N, T>(quick.touch, quick.touch.t, path.direction, side));
+        if constexpr (is_a<Aabb, S>) put_on_surface(quick.hit, shape);
+        return Hit(rounded<N, T>(quick.hit, quick.hit.t, path.direction, side));
       }
     }
   }
   const RayFinding<N> found = find_carefully(shape, Path<N>{path.origin, path.direction, end, path.far}, side, ask);
   if (found.verdict == RayVerdict::misses) return Hit();
-  return Hit(rounded<N, T>(found.touch, found.touch.t, path.direction, side));
+  return Hit(rounded<N, T>(found.hit, found.hit.t, path.direction, side));
 }
 
 /// The precise algorithm for a ray. Not inlined, so that the fast path does not share stack memory with it.

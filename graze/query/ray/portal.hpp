@@ -175,10 +175,10 @@ class PortalSearch {
     if (t > t_max + end_slack) return missed<3>();
     if (!(t > -end_slack)) return std::nullopt;
     RayFinding<3> result{t > end_slack && t < t_max - end_slack ? RayVerdict::hits : RayVerdict::unclear, {}};
-    result.touch.t = std::clamp(t, 0.0, t_max);
-    result.touch.point = origin + direction * result.touch.t;
-    result.touch.normal = normal;
-    result.touch.error = 2 * tolerance::rounding * size_;
+    result.hit.t = std::clamp(t, 0.0, t_max);
+    result.hit.point = origin + direction * result.hit.t;
+    result.hit.normal = normal;
+    result.hit.error = 2 * tolerance::rounding * size_;
     return result;
   }
 

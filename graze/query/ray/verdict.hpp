@@ -87,9 +87,9 @@ enum class RayVerdict {
 template <Dim N>
 struct RayFinding {
   RayVerdict verdict = RayVerdict::misses;
-  Touch<N> touch{};            ///< If the path hits, or if it is unclear but touches after all.
-  bool is_touch_known = true;  ///< False if the closed form does not know where the path would touch.
-  bool is_certain = true;      ///< False of a hit by GJK, which `relation` has to confirm.
+  RawHit<N> hit{};           ///< If the path hits, or if it is unclear but touches after all.
+  bool is_hit_known = true;  ///< False if the closed form does not know where the path would touch.
+  bool is_certain = true;    ///< False of a hit by GJK, which `relation` has to confirm.
 };
 
 template <Dim N>
@@ -142,15 +142,15 @@ Vec<N, double> normal_along(const Vec<N, double>& spoke, const Vec<N, double>& d
 
 /// The touch on a sphere. The origin is inside if the line entered before it.
 template <Dim N>
-Touch<N> touch_of_sphere(const Sphere<N, double>& sphere, const SpherePassage<N>& passage,
-                         const Vec<N, double>& direction, double t_max) {
-  Touch<N> touch;
-  touch.error = tolerance::rounding * (sum_abs(sphere.center) + sphere.radius);
-  if (!(passage.enter() >= 0)) return touch;
-  touch.t = std::min(passage.enter(), t_max);
-  touch.normal = normal_along(passage.spoke(direction), direction, touch.error);
-  touch.point = sphere.center + touch.normal * sphere.radius;
-  return touch;
+RawHit<N> hit_of_sphere(const Sphere<N, double>& sphere, const SpherePassage<N>& passage,
+                        const Vec<N, double>& direction, double t_max) {
+  RawHit<N> hit;
+  hit.error = tolerance::rounding * (sum_abs(sphere.center) + sphere.radius);
+  if (!(passage.enter() >= 0)) return hit;
+  hit.t = std::min(passage.enter(), t_max);
+  hit.normal = normal_along(passage.spoke(direction), direction, hit.error);
+  hit.point = sphere.center + hit.normal * sphere.radius;
+  return hit;
 }
 
 /// Whether the line of a path misses a sphere by more than `ray_verdict_of` leaves undecided. For most paths this is
@@ -178,7 +178,7 @@ template <Dim N>
   const bool is_chord = passage.depth > band;
   if (is_chord && (passage.exit() < -end_slack || passage.enter() > t_max + end_slack)) return missed<N>();
   const bool is_hit = is_chord && passage.exit() > end_slack && passage.enter() < t_max - end_slack;
-  return {is_hit ? RayVerdict::hits : RayVerdict::unclear, touch_of_sphere(sphere, passage, direction, t_max)};
+  return {is_hit ? RayVerdict::hits : RayVerdict::unclear, hit_of_sphere(sphere, passage, direction, t_max)};
 }
 
 // ---- Capsules
@@ -219,10 +219,10 @@ bool holds_zero(const Capsule<N, double>& capsule) {
 /// The touch of a path that is known to hit and is not nearly parallel to the axis: on the cylinder, which is a sphere
 /// when projected along the axis, if that is between the two ends, otherwise on the sphere around the nearer end.
 template <Dim N>
-Touch<N> touch_of_capsule(const Capsule<N, double>& capsule, const Vec<N, double>& direction, double t_max) {
-  Touch<N> touch;
-  touch.error = tolerance::rounding * (sum_abs(capsule.a) + sum_abs(capsule.b) + capsule.radius);
-  if (holds_zero(capsule)) return touch;
+RawHit<N> hit_of_capsule(const Capsule<N, double>& capsule, const Vec<N, double>& direction, double t_max) {
+  RawHit<N> hit;
+  hit.error = tolerance::rounding * (sum_abs(capsule.a) + sum_abs(capsule.b) + capsule.radius);
+  if (holds_zero(capsule)) return hit;
   const Vec<N, double> edge = capsule.b - capsule.a;
   const double whole = dot(edge, edge);
   const auto across = [&](const Vec<N, double>& v) { return v - edge * (dot(v, edge) / whole); };
@@ -232,15 +232,15 @@ Touch<N> touch_of_capsule(const Capsule<N, double>& capsule, const Vec<N, double
   const double place = dot(direction * enter - capsule.a, edge) / whole;
   if (!(place >= 0 && place <= 1)) {
     const Sphere<N, double> end{place < 0 ? capsule.a : capsule.b, capsule.radius};
-    Touch<N> on_end =
-        touch_of_sphere(end, SpherePassage<N>(direction, end.center, end.radius * end.radius), direction, t_max);
-    on_end.error = touch.error;
+    RawHit<N> on_end =
+        hit_of_sphere(end, SpherePassage<N>(direction, end.center, end.radius * end.radius), direction, t_max);
+    on_end.error = hit.error;
     return on_end;
   }
-  touch.t = enter;
-  touch.normal = normal_along(tube.spoke(direction_across), direction, touch.error);
-  touch.point = capsule.a + edge * place + touch.normal * capsule.radius;
-  return touch;
+  hit.t = enter;
+  hit.normal = normal_along(tube.spoke(direction_across), direction, hit.error);
+  hit.point = capsule.a + edge * place + hit.normal * capsule.radius;
+  return hit;
 }
 
 template <Dim N>
@@ -248,7 +248,7 @@ RayFinding<N> ray_verdict_of(const Capsule<N, double>& capsule, const Path<N>& p
   const std::optional<Relation> verdict = filter_of_path(capsule, path);
   if (!verdict) return unsettled<N>();
   if (*verdict == Relation::apart) return missed<N>();
-  return {RayVerdict::hits, touch_of_capsule(capsule, path.direction, path.t_max)};
+  return {RayVerdict::hits, hit_of_capsule(capsule, path.direction, path.t_max)};
 }
 
 }  // namespace graze::detail

@@ -52,18 +52,18 @@ RayFinding<N> ray_verdict_of_edge(const Vec<N, double>& start, const Vec<N, doub
   const Vec<3, double> n = accurate_cross(d, e);
   const double whole = dot(n, n);
   RayFinding<N> result{RayVerdict::unclear, {}};
-  result.touch.error = tolerance::rounding * beside.size;
+  result.hit.error = tolerance::rounding * beside.size;
   double first = beside.first;
   if (whole > 0) {
     first = dot(accurate_cross(lifted(start), e), n) / whole;
     constexpr double least_sine_squared = 0x1p-40;
     const bool is_parallel = whole < least_sine_squared * (dot(d, d) * dot(e, e));
-    if (is_parallel) first -= result.touch.error * std::sqrt(dot(e, e) / whole);
+    if (is_parallel) first -= result.hit.error * std::sqrt(dot(e, e) / whole);
   }
-  result.touch.t = std::clamp(first, beside.first, beside.last);
-  result.touch.point = direction * result.touch.t;
-  result.touch.error += tolerance::rounding * sum_abs(result.touch.point);
-  if (max_abs(edge) > 0) result.touch.normal = -straightened(direction, edge);
+  result.hit.t = std::clamp(first, beside.first, beside.last);
+  result.hit.point = direction * result.hit.t;
+  result.hit.error += tolerance::rounding * sum_abs(result.hit.point);
+  if (max_abs(edge) > 0) result.hit.normal = -straightened(direction, edge);
   return result;
 }
 
@@ -148,13 +148,13 @@ inline RayFinding<3> ray_verdict_of(const Triangle<3, double>& triangle, const P
   if (t < -end_slack || t > t_max + end_slack) return missed<3>();
   const bool is_inside = least > band || most < -band;
   if (is_inside && t > end_slack && t < t_max - end_slack) result.verdict = RayVerdict::hits;
-  result.touch.t = std::clamp(t, 0.0, t_max);
-  result.touch.point = direction * result.touch.t;
-  result.touch.normal = climb > 0 ? -normal : normal;
-  result.touch.error = tolerance::rounding * (size + edges);
+  result.hit.t = std::clamp(t, 0.0, t_max);
+  result.hit.point = direction * result.hit.t;
+  result.hit.normal = climb > 0 ? -normal : normal;
+  result.hit.error = tolerance::rounding * (size + edges);
   // Beside an edge, the plane is crossed up to 2^10 times as far from the triangle as the ray passes the edge.
   if (!is_inside) {
-    result.is_touch_known = surface_point(triangle, result.touch.point).distance <= result.touch.error;
+    result.is_hit_known = surface_point(triangle, result.hit.point).distance <= result.hit.error;
   }
   return result;
 }
@@ -214,9 +214,9 @@ class EdgeCrossings {
     const bool is_hit = latest_enter_ <= t_max && earliest_exit_ >= 0;
     if (is_hit) result.verdict = RayVerdict::hits;
     if (!(enter_ >= 0)) return result;
-    result.touch.t = std::min(enter_, exit);
-    result.touch.point = direction * result.touch.t;
-    result.touch.normal = normal_;
+    result.hit.t = std::min(enter_, exit);
+    result.hit.point = direction * result.hit.t;
+    result.hit.normal = normal_;
     return result;
   }
 
@@ -243,7 +243,7 @@ RayFinding<2> ray_verdict_of_polygon(Corners<T> corners, double far, const Path<
   if (count <= 2) {
     RayFinding<2> result =
         count == 1 ? ray_verdict_of(corner(0), path) : ray_verdict_of(Segment<2, double>{corner(0), corner(1)}, path);
-    result.touch.error += tolerance::convex * far;
+    result.hit.error += tolerance::convex * far;
     return result;
   }
   double size = 0;
@@ -256,7 +256,7 @@ RayFinding<2> ray_verdict_of_polygon(Corners<T> corners, double far, const Path<
     from = to;
   }
   RayFinding<2> result = crossings.finding(path.direction, path.t_max);
-  result.touch.error = tolerance::rounding * size + tolerance::convex * far;
+  result.hit.error = tolerance::rounding * size + tolerance::convex * far;
   return result;
 }
 
@@ -287,18 +287,18 @@ double error_at_plane(const Plane<N, T>& plane, const Path<N>& path, const Vec<N
 /// The touch of a path that meets the plane in time, or nearly does at one of its ends; its error includes the
 /// remaining distance.
 template <Dim N, class T>
-Touch<N> touch_of_plane(const Plane<N, T>& plane, const Path<N>& path) {
+RawHit<N> hit_of_plane(const Plane<N, T>& plane, const Path<N>& path) {
   const Vec<N, double> normal = wide<N, T>(plane.normal);
   const double height = height_over(plane, path.origin);
   const double climb = dot(normal, path.direction);
-  Touch<N> touch;
+  RawHit<N> hit;
   const double t = climb == 0 ? 0 : std::max(0.0, -height / climb);
-  touch.t = std::min(t, path.t_max);
-  touch.point = path.origin + path.direction * touch.t;
-  if (climb != 0) touch.normal = climb > 0 ? -normal : normal;
-  touch.error = error_at_plane(plane, path, touch.point);
-  if (touch.t != t || touch.t == 0) touch.error += std::fabs(height_over(plane, touch.point)) / max_abs(normal);
-  return touch;
+  hit.t = std::min(t, path.t_max);
+  hit.point = path.origin + path.direction * hit.t;
+  if (climb != 0) hit.normal = climb > 0 ? -normal : normal;
+  hit.error = error_at_plane(plane, path, hit.point);
+  if (hit.t != t || hit.t == 0) hit.error += std::fabs(height_over(plane, hit.point)) / max_abs(normal);
+  return hit;
 }
 
 /// The side of a plane on which a path to a finite t_max begins and ends: 0 if it is nearer than `relation` can tell.
@@ -331,7 +331,7 @@ template <Dim N, class T>
 RayFinding<N> ray_verdict_of_boundary(const Plane<N, T>& plane, const Path<N>& path) {
   const RayVerdict verdict = ray_verdict_of_plane(plane, path);
   if (verdict == RayVerdict::misses) return missed<N>();
-  return {verdict, touch_of_plane(plane, path)};
+  return {verdict, hit_of_plane(plane, path)};
 }
 
 template <Dim N, class T>
@@ -349,11 +349,11 @@ template <Dim N, class T>
 RayFinding<N> ray_verdict_of_boundary(const HalfSpace<N, T>& solid, const Path<N>& path) {
   RayFinding<N> result{ray_verdict_of_half_space(solid, path), {}};
   if (result.verdict == RayVerdict::misses) return missed<N>();
-  result.touch = touch_of_plane(boundary(solid), path);
+  result.hit = hit_of_plane(boundary(solid), path);
   const bool is_leaving = dot(wide<N, T>(solid.normal), path.direction) >= 0;
   const bool is_inside = height_over(boundary(solid), path.origin) < 0;
-  if (is_inside) result.touch.error = error_at_plane(boundary(solid), path, path.origin);
-  if (is_leaving || is_inside) result.touch = {0, path.origin, Vec<N, double>(0.0), result.touch.error};
+  if (is_inside) result.hit.error = error_at_plane(boundary(solid), path, path.origin);
+  if (is_leaving || is_inside) result.hit = {0, path.origin, Vec<N, double>(0.0), result.hit.error};
   return result;
 }
 

@@ -81,7 +81,7 @@ template <Dim N>
 }
 
 /// Where a path meets a box, in the box's own axes.
-struct TouchOfBox {
+struct HitOfBox {
   RayVerdict verdict = RayVerdict::misses;
   double t = 0;
   Vec<3, double> point = Vec<3, double>(0.0);
@@ -97,34 +97,34 @@ struct TouchOfBox {
 }
 
 /// Where the path enters a box that it hits, if its sides are moved outwards by the slack of `slabs`.
-[[gnu::always_inline]] inline TouchOfBox enter_box(RayVerdict verdict, const PathAtBox& path, const Slabs& slabs,
-                                                   double t_max) {
+[[gnu::always_inline]] inline HitOfBox enter_box(RayVerdict verdict, const PathAtBox& path, const Slabs& slabs,
+                                                 double t_max) {
   const auto& [min, max, direction, far] = path;
   const bool is_x = slabs.x.earliest() >= std::max(slabs.y.earliest(), slabs.z.earliest());
   const bool is_y = !is_x && slabs.y.earliest() >= slabs.z.earliest();
   const double near = is_x ? slabs.x.near : is_y ? slabs.y.near : slabs.z.near;
-  TouchOfBox touch{verdict};
-  if (!(near >= 0)) return touch;
+  HitOfBox hit{verdict};
+  if (!(near >= 0)) return hit;
   const double slope = is_x ? direction.x : is_y ? direction.y : direction.z;
   const double low = is_x ? min.x : is_y ? min.y : min.z;
   const double high = is_x ? max.x : is_y ? max.y : max.z;
   // Divided again, which rounds once less, unless the near side belongs to an axis along which the path does not move.
   const double t = std::fabs(slope) > least_slope ? (slope > 0 ? low : high) / slope : near;
   const double leave = std::min(std::min(slabs.x.latest(), slabs.y.latest()), std::min(slabs.z.latest(), t_max));
-  touch.t = std::min(t, std::max(0.0, leave));
-  touch.is_known = touch.t == t;
+  hit.t = std::min(t, std::max(0.0, leave));
+  hit.is_known = hit.t == t;
   const double side = slope > 0 ? -1 : 1;
-  touch.side = {is_x ? side : 0, is_y ? side : 0, is_x || is_y ? 0 : side};
-  touch.point = {coordinate_on(touch.side.x, direction.x * touch.t, min.x, max.x),
-                 coordinate_on(touch.side.y, direction.y * touch.t, min.y, max.y),
-                 coordinate_on(touch.side.z, direction.z * touch.t, min.z, max.z)};
-  return touch;
+  hit.side = {is_x ? side : 0, is_y ? side : 0, is_x || is_y ? 0 : side};
+  hit.point = {coordinate_on(hit.side.x, direction.x * hit.t, min.x, max.x),
+               coordinate_on(hit.side.y, direction.y * hit.t, min.y, max.y),
+               coordinate_on(hit.side.z, direction.z * hit.t, min.z, max.z)};
+  return hit;
 }
 
 /// What the slack moves across a side is moved by tolerance::ray_side of the box's size, so all verdicts are correct
 /// for the true box. If it is touched after all, then by no more than rounding.
 template <Dim N>
-[[gnu::always_inline]] inline TouchOfBox touch_of_box(const PathAtBox& path, double t_max) {
+[[gnu::always_inline]] inline HitOfBox touch_of_box(const PathAtBox& path, double t_max) {
   const Slabs slabs = slabs_of<N>(path, tolerance::ray_side);
   if (slabs.are_missed(t_max)) return {};
   // A box that is entered by a margin is entered where the last side is crossed, however nearly the path runs along it.
@@ -137,7 +137,7 @@ template <Dim N>
 
 /// The error of the point where a path meets a box: by rounding and, if it may only have come near a side, by the slack
 /// of that.
-[[gnu::always_inline]] inline double error_at_box(const TouchOfBox& found, const PathAtBox& path) {
+[[gnu::always_inline]] inline double error_at_box(const HitOfBox& found, const PathAtBox& path) {
   const double size = sum_abs(path.min) + sum_abs(path.max);
   return tolerance::rounding * (found.verdict == RayVerdict::unclear ? 2 * size + path.far : size);
 }
@@ -158,7 +158,7 @@ template <Dim N>
 template <Dim N>
 [[gnu::always_inline]] inline RayFinding<N> ray_verdict_of(const Aabb<N, double>& box, const Path<N>& path) {
   const PathAtBox seen = path_at(box, path.direction, path.far);
-  const TouchOfBox found = touch_of_box<N>(seen, path.t_max);
+  const HitOfBox found = touch_of_box<N>(seen, path.t_max);
   return {found.verdict,
           {found.t, Vec<N, double>(found.point), Vec<N, double>(found.side), error_at_box(found, seen)},
           found.is_known};
@@ -167,15 +167,15 @@ template <Dim N>
 /// The box's own coordinates of a point on a side, or one that was rounded out of the box. A normal along no axis is
 /// GJK's, and does not identify a side, however close to an axis it is.
 template <Dim N, class T>
-[[gnu::always_inline]] inline void put_on_surface(Touch<N>& touch, const Aabb<N, T>& box) {
+[[gnu::always_inline]] inline void put_on_surface(RawHit<N>& hit, const Aabb<N, T>& box) {
   const Vec<N, double> min = wide<N, T>(box.min);
   const Vec<N, double> max = wide<N, T>(box.max);
   int axes = 0;
-  for (Dim i = 0; i < N; ++i) axes += touch.normal[i] != 0 ? 1 : 0;
-  const Vec<N, double> side = touch.normal * (axes == 1 ? 1.0 : 0.0);
-  touch.point.x = coordinate_on(side.x, touch.point.x, min.x, max.x);
-  touch.point.y = coordinate_on(side.y, touch.point.y, min.y, max.y);
-  if constexpr (N == 3) touch.point.z = coordinate_on(side.z, touch.point.z, min.z, max.z);
+  for (Dim i = 0; i < N; ++i) axes += hit.normal[i] != 0 ? 1 : 0;
+  const Vec<N, double> side = hit.normal * (axes == 1 ? 1.0 : 0.0);
+  hit.point.x = coordinate_on(side.x, hit.point.x, min.x, max.x);
+  hit.point.y = coordinate_on(side.y, hit.point.y, min.y, max.y);
+  if constexpr (N == 3) hit.point.z = coordinate_on(side.z, hit.point.z, min.z, max.z);
 }
 
 /// The rows of the inverse of a matrix, all multiplied by `determinant`.
@@ -228,7 +228,7 @@ template <Dim N>
   const Aabb<N, double> seen{center - half, center + half};
   const Vec<N, double> slope = inverse.rows_times(path.direction) * sign;
   const PathAtBox path_seen = path_at(seen, slope, path.far);
-  const TouchOfBox found = touch_of_box<N>(path_seen, path.t_max);
+  const HitOfBox found = touch_of_box<N>(path_seen, path.t_max);
   const Vec<N, double> side(found.side);
   // The coordinates along the axis of the side that is met are exact.
   const Vec<N, double> place =

@@ -274,7 +274,7 @@ std::optional<Relation> quick_verdict_on_distance(const Core& core, const Triang
     const Vec<N, double> between = on_triangle - on_core;
     const double squared = dot(between, between);
     if (near > 0 && squared < near * near) return Relation::overlapping;
-    const double gap = shadow_on(between, triangle).low - shadow_on(between, core).high;
+    const double gap = projection_on(between, triangle).low - projection_on(between, core).high;
     if (gap > 0 && gap * gap > far * far * squared) return Relation::apart;
   }
   return std::nullopt;
@@ -345,7 +345,7 @@ std::optional<Relation> filter_of_corners(const Triangle<3, T>& triangle, const 
 
 template <Dim N, class T>
 [[gnu::noinline]] Relation careful_closed_form(const Segment<N, T>& segment, const Triangle<N, T>& triangle) {
-  if (hold_nan(segment, triangle)) return Relation::apart;
+  if (any_nan(segment, triangle)) return Relation::apart;
   const Vec<N, double> start = wide<N, T>(segment.start);
   const Vec<N, double> half = 0.5 * (wide<N, T>(segment.end) - start);
   return relation_in_frame<N>(Segment<N, double>{-half, half}, local_triangle(start, half, triangle),
@@ -363,7 +363,7 @@ Relation closed_form(const Segment<N, T>& segment, const Triangle<N, T>& triangl
 /// In 3D a point touches at most.
 template <Dim N, class T>
 [[gnu::noinline]] Relation careful_closed_form(const Sphere<N, T>& sphere, const Triangle<N, T>& triangle) {
-  if (hold_nan(sphere, triangle)) return Relation::apart;
+  if (any_nan(sphere, triangle)) return Relation::apart;
   const Vec<N, double> zero(0.0);
   const auto seen = local_triangle(wide<N, T>(sphere.center), zero, triangle);
   const auto rescaled = [&] { return verdict_in_range(sphere, triangle); };
@@ -404,7 +404,7 @@ Relation closed_form(const Obb<N, T>& box, const Triangle<N, T>& triangle) {
 /// Relative to the least of their coordinates, which is the same for swapped triangles.
 template <Dim N, class T>
 [[gnu::noinline]] Relation careful_closed_form(const Triangle<N, T>& a, const Triangle<N, T>& b) {
-  if (hold_nan(a, b)) return Relation::apart;
+  if (any_nan(a, b)) return Relation::apart;
   const Vec<N, double> reference = wide<N, T>(min(box_around(a).min, box_around(b).min));
   const Vec<N, double> zero(0.0);
   return relation_in_frame<N>(local_triangle(reference, zero, a), local_triangle(reference, zero, b),

@@ -71,42 +71,42 @@ std::array<Vec<N, double>, 3> edges_of(const Triangle<N, double>& triangle) {
 }
 
 /// The projection of a shape onto an axis, in units of the axis.
-struct Shadow {
+struct Projection {
   double low;
   double high;
 };
 
-inline Shadow shadow_around_zero(double reach) { return {-reach, reach}; }
+inline Projection projection_around_zero(double reach) { return {-reach, reach}; }
 
 template <Dim N>
-Shadow shadow_on(const Vec<N, double>& axis, const Vec<N, double>& point) {
+Projection projection_on(const Vec<N, double>& axis, const Vec<N, double>& point) {
   const double place = dot(axis, point);
   return {place, place};
 }
 template <Dim N>
-Shadow shadow_on(const Vec<N, double>& axis, const Segment<N, double>& segment) {
-  return shadow_around_zero(std::fabs(dot(axis, segment.end)));
+Projection projection_on(const Vec<N, double>& axis, const Segment<N, double>& segment) {
+  return projection_around_zero(std::fabs(dot(axis, segment.end)));
 }
 template <Dim N>
-Shadow shadow_on(const Vec<N, double>& axis, const Aabb<N, double>& box) {
-  return shadow_around_zero(dot(abs(axis), box.max));
+Projection projection_on(const Vec<N, double>& axis, const Aabb<N, double>& box) {
+  return projection_around_zero(dot(abs(axis), box.max));
 }
 template <Dim N>
-Shadow shadow_on(const Vec<N, double>& axis, const Obb<N, double>& box) {
+Projection projection_on(const Vec<N, double>& axis, const Obb<N, double>& box) {
   double reach = 0;
   for (Dim i = 0; i < N; ++i) reach += std::fabs(dot(axis, box.axes[i])) * box.half_extents[i];
-  return shadow_around_zero(reach);
+  return projection_around_zero(reach);
 }
-inline Shadow shadow_of(double x, double y, double z) {
+inline Projection projection_of(double x, double y, double z) {
   return {std::min(std::min(x, y), z), std::max(std::max(x, y), z)};
 }
 template <Dim N>
-Shadow shadow_on(const Vec<N, double>& axis, const Triangle<N, double>& triangle) {
-  return shadow_of(dot(axis, triangle.a), dot(axis, triangle.b), dot(axis, triangle.c));
+Projection projection_on(const Vec<N, double>& axis, const Triangle<N, double>& triangle) {
+  return projection_of(dot(axis, triangle.a), dot(axis, triangle.b), dot(axis, triangle.c));
 }
 
 /// Between two projections; if negative, the length of their overlap.
-inline double gap_between(const Shadow& a, const Shadow& b) { return std::max(a.low - b.high, b.low - a.high); }
+inline double gap_between(const Projection& a, const Projection& b) { return std::max(a.low - b.high, b.low - a.high); }
 
 // ---- The accurate test
 
@@ -136,7 +136,7 @@ class AccurateAxes {
   }
 
   double gap_along(const Vec<N, double>& axis) const {
-    return gap_between(shadow_on(axis, other_), shadow_on(axis, triangle_));
+    return gap_between(projection_on(axis, other_), projection_on(axis, triangle_));
   }
 
   template <class Edges, class AxisOf>
@@ -206,8 +206,8 @@ struct AlignedAxes {
 };
 
 /// Any axes. Aabb and Obb share the rest of the test, QuickBox.
-struct TurnedAxes {
-  explicit TurnedAxes(const Obb<3, double>& box)
+struct GeneralAxes {
+  explicit GeneralAxes(const Obb<3, double>& box)
       : axes(box.axes), normals(cross(axes[1], axes[2]), cross(axes[2], axes[0]), cross(axes[0], axes[1])) {}
   /// The dot product with axis k.
   double along(const Vec<3, double>& v, Dim k) const { return dot(v, axes[k]); }
@@ -234,9 +234,9 @@ class QuickBox {
 
   double face_gap(std::size_t face, const Triangle<3, double>& triangle) const {
     const auto k = static_cast<Dim>(face);
-    const Shadow shadow =
-        shadow_of(axes_.across(triangle.a, k), axes_.across(triangle.b, k), axes_.across(triangle.c, k));
-    return gap_between(shadow, shadow_around_zero(half_extents_[k] * axes_.volume()));
+    const Projection projection =
+        projection_of(axes_.across(triangle.a, k), axes_.across(triangle.b, k), axes_.across(triangle.c, k));
+    return gap_between(projection, projection_around_zero(half_extents_[k] * axes_.volume()));
   }
 
   /// The value of an edge e that `beside` needs.
@@ -244,10 +244,10 @@ class QuickBox {
     return abs(Vec<3, double>(axes_.across(e, 0), axes_.across(e, 1), axes_.across(e, 2)));
   }
   /// Along e x (axis k), from its center.
-  Shadow beside(const Vec<3, double>& facing, std::size_t k) const {
+  Projection beside(const Vec<3, double>& facing, std::size_t k) const {
     const auto i = static_cast<Dim>((k + 1) % 3);
     const auto j = static_cast<Dim>((k + 2) % 3);
-    return shadow_around_zero(half_extents_[i] * facing[j] + half_extents_[j] * facing[i]);
+    return projection_around_zero(half_extents_[i] * facing[j] + half_extents_[j] * facing[i]);
   }
 
  private:
@@ -265,7 +265,7 @@ class QuickSegment {
   double size() const { return sum_abs(half_); }
   double along(const Vec<3, double>& v, std::size_t) const { return dot(v, half_); }
   static double facing(const Vec<3, double>&) { return 0; }
-  static Shadow beside(double, std::size_t) { return {0, 0}; }
+  static Projection beside(double, std::size_t) { return {0, 0}; }
 
  private:
   Vec<3, double> half_;
@@ -283,13 +283,13 @@ class QuickTriangle {
 
   const Vec<3, double>& normal() const { return normal_; }
   double face_gap(std::size_t, const Triangle<3, double>& other) const {
-    const Shadow shadow = shadow_on(normal_, other);
+    const Projection projection = projection_on(normal_, other);
     const double height = dot(normal_, corner_);
-    return gap_between(shadow, {height, height});
+    return gap_between(projection, {height, height});
   }
   double facing(const Vec<3, double>& e) const { return dot(e, normal_); }
   /// Along e x (edge k), from that edge.
-  static Shadow beside(double facing, std::size_t) { return {std::min(0.0, facing), std::max(0.0, facing)}; }
+  static Projection beside(double facing, std::size_t) { return {std::min(0.0, facing), std::max(0.0, facing)}; }
 
   /// Corner k, where edge k starts, x edge k.
   std::array<Vec<3, double>, 3> moments(const Triangle<3, double>& triangle) const {
@@ -306,8 +306,8 @@ inline QuickSegment quick_form(const Segment<3, double>& segment) { return Quick
 inline QuickBox<Aabb<3, double>, AlignedAxes> quick_form(const Aabb<3, double>& box) {
   return QuickBox<Aabb<3, double>, AlignedAxes>(box);
 }
-inline QuickBox<Obb<3, double>, TurnedAxes> quick_form(const Obb<3, double>& box) {
-  return QuickBox<Obb<3, double>, TurnedAxes>(box);
+inline QuickBox<Obb<3, double>, GeneralAxes> quick_form(const Obb<3, double>& box) {
+  return QuickBox<Obb<3, double>, GeneralAxes>(box);
 }
 inline QuickTriangle quick_form(const Triangle<3, double>& triangle) { return QuickTriangle(triangle); }
 
@@ -341,7 +341,7 @@ class QuickAxes {
   bool project(const Vec<3, double>& axis) {
     const double bound = slack_ * sum_abs(axis);
     if (bound == 0) return true;  // parallel edges span no face
-    const double gap = gap_between(shadow_on(axis, shape_), shadow_on(axis, triangle_));
+    const double gap = gap_between(projection_on(axis, shape_), projection_on(axis, triangle_));
     has_axis_ = true;
     is_undecided_ = is_undecided_ || !(gap < -bound);
     return !(gap > bound);
@@ -359,7 +359,7 @@ class QuickAxes {
     }
     const std::array<Vec<3, double>, 3> edges = edges_of(triangle_);
     const double height = dot(own_.normal(), triangle_.a);
-    const double gap = gap_between(shadow_on(own_.normal(), shape_), {height, height});
+    const double gap = gap_between(projection_on(own_.normal(), shape_), {height, height});
     return settle(gap, slack_ * own_.size() * own_.size(), edges[0], edges[1]);
   }
 
@@ -375,7 +375,7 @@ class QuickAxes {
         double place = -other_.along(moments[i], j);
         if constexpr (is_triangle) place -= dot(other_moments[j], edges[i]);
         const double third = -other_.along(own_.normal(), j);
-        const Shadow beside = other_.beside(facing, j);
+        const Projection beside = other_.beside(facing, j);
         const double gap =
             gap_between({std::min(0.0, third), std::max(0.0, third)}, {place + beside.low, place + beside.high});
         if (!settle(gap, bound, edges[i], other_edges[j])) return false;

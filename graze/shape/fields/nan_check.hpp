@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hold_nan(a, b): whether any number of two shapes is NaN. It sums them, because comparisons can drop a NaN.
+// any_nan(a, b): whether any number of two shapes is NaN. It sums them, because comparisons can drop a NaN.
 #pragma once
 
 #include <array>
@@ -51,7 +51,7 @@ auto numbers_of(const S& shape) {
 }
 
 template <class A, class B>
-bool hold_nan(const A& a, const B& b) {
+bool any_nan(const A& a, const B& b) {
   return std::isnan(numbers_of(a) + numbers_of(b));
 }
 

@@ -105,7 +105,7 @@ class Quickhull {
       for (; i != points.end() && i->face == face; ++i) undecided_.push_back(frame_->at(i->point));
       faces_[face].first = used_;
       divide_exactly(face);
-      put_to_wait(face);
+      enqueue(face);
     }
     grow_all();
   }
@@ -282,7 +282,7 @@ class Quickhull {
     for (const std::uint32_t place : new_faces_) {
       if (undecided_.empty()) return;
       take_outside(place);
-      put_to_wait(place);
+      enqueue(place);
     }
     for (const HullPoint& point : undecided_) {
       if (point.link != none) aside_.push_back({point.link, point.index});
@@ -290,7 +290,7 @@ class Quickhull {
   }
 
   /// Queues a face if any point is outside of it; these are on the stack from `face.first` to the top.
-  void put_to_wait(std::uint32_t place) {
+  void enqueue(std::uint32_t place) {
     Face& face = faces_[place];
     face.last = used_;
     if (face.first == face.last) return;

@@ -196,7 +196,7 @@ TYPED_TEST(CellKernelsTest, FindsNothingWhereThereIsNothing) {
 TYPED_TEST(CellKernelsTest, CodesAreThoseOfTheCenters) {
   using Number = typename TestFixture::T;
   constexpr Dim dimension = TestFixture::N;
-  CellPlace<dimension> root;
+  CellPosition<dimension> root;
   root.half = 40;
   const CodeScale<dimension, Number> scale(root);
   for (const auto& world : test::box_worlds<dimension, Number>(119, 12)) {
@@ -269,7 +269,7 @@ TEST(CellKernels, LookAtLittleBesideWhatTheyFind) {
     walk.start({{40, 40}, {44, 44}});
     walk.add_group(tree.cell(CellTree<2, float>::root).first_child / 4);
     if (way) walk.follow(*way);
-    cell_kernels<2, float>().find_met(tree.groups(), tree.pool().pages(), walk);
+    cell_kernels<2, float>().find_overlapping(tree.groups(), tree.pool().pages(), walk);
     EXPECT_TRUE(walk.is_over());
     EXPECT_EQ(walk.found_count, 25U);
     EXPECT_LT(walk.groups_seen, 20U);

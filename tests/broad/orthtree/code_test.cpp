@@ -15,7 +15,7 @@ namespace {
 template <Dim N, class T>
 void expect_the_way_down(std::uint32_t seed) {
   std::mt19937 random(seed);
-  CellPlace<N> root;
+  CellPosition<N> root;
   root.half = 8;
   for (Dim i = 0; i < N; ++i) root.center[i] = static_cast<double>(i) + 16;
   const CodeScale<N, T> scale(root);
@@ -25,7 +25,7 @@ void expect_the_way_down(std::uint32_t seed) {
       point[i] = static_cast<T>(root.center[i]) - T(8) + static_cast<T>(random() % 1024) / T(64) + T(1) / T(128);
     }
     const std::uint32_t code = code_of(point, scale);
-    CellPlace<N> place = root;
+    CellPosition<N> place = root;
     for (int level = 1; level <= 10; ++level) {
       const std::uint32_t child = child_towards(place, wide<N, T>(point));
       const auto shift = static_cast<unsigned>(N * (code_levels<N> - level));
@@ -43,7 +43,7 @@ TEST(CellCode, NamesTheChildOfEveryLevel) {
 }
 
 TEST(CellCode, IsThatOfAnOutermostCellForPointsOutside) {
-  CellPlace<2> root;
+  CellPosition<2> root;
   root.half = 1;
   const CodeScale<2, float> scale(root);
   const float infinity = std::numeric_limits<float>::infinity();
@@ -58,7 +58,7 @@ TEST(CellCode, IsThatOfAnOutermostCellForPointsOutside) {
 /// The same for a root whose cells are too small for the points' number type.
 TEST(CellCode, IsTheSameForAllWhereTheRootIsAPoint) {
   for (const double half : {0.0, 1e-60}) {
-    CellPlace<3> root;
+    CellPosition<3> root;
     root.half = half;
     const CodeScale<3, float> scale(root);
     EXPECT_EQ(code_of(Vec<3>(0, 0, 0), scale), code_of(Vec<3>(1, -1, 2), scale));

@@ -53,7 +53,7 @@ double mean_side(const std::vector<Vec<N, double>>& points, const std::vector<st
   return sum / pieces;
 }
 
-TEST(Crowd, OfEvenlySpreadPointsBecomesSmallPieces) {
+TEST(PointCloud, OfEvenlySpreadPointsBecomesSmallPieces) {
   test::Numbers numbers(1);
   std::vector<Vec<3, double>> points;
   for (int i = 0; i < 20000; ++i) points.push_back(numbers.point<3, double>(0, 100));
@@ -63,7 +63,7 @@ TEST(Crowd, OfEvenlySpreadPointsBecomesSmallPieces) {
   EXPECT_LT(mean_side(points, order, 64), 30);
 }
 
-TEST(Crowd, OfCloudsWithinCloudsBecomesSmallPiecesToo) {
+TEST(PointCloud, OfCloudsWithinCloudsBecomesSmallPiecesToo) {
   test::Numbers numbers(2);
   std::vector<Vec<3, double>> points;
   for (int i = 0; i < 20000; ++i) {
@@ -76,13 +76,13 @@ TEST(Crowd, OfCloudsWithinCloudsBecomesSmallPiecesToo) {
   EXPECT_LT(mean_side(points, order, 16), 1e-4);
 }
 
-TEST(Crowd, OfEqualPointsKeepsItsOrder) {
+TEST(PointCloud, OfEqualPointsKeepsItsOrder) {
   const std::vector<Vec<2, double>> points(5000, Vec<2, double>(3));
   const auto order = sorted_crowd(points, 16);
   EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
 }
 
-TEST(Crowd, WhoseGridsNeverDivideItIsSortedAllTheSame) {
+TEST(PointCloud, WhoseGridsNeverDivideItIsSortedAllTheSame) {
   // Each point is a thousand times nearer to the origin than the previous one: any grid has almost all in one cell.
   std::vector<Vec<2, double>> points;
   for (int i = 0; i < 90; ++i) points.push_back(Vec<2, double>(std::pow(10.0, -3 * i), 0));
@@ -90,7 +90,7 @@ TEST(Crowd, WhoseGridsNeverDivideItIsSortedAllTheSame) {
   for (std::size_t k = 1; k < order.size(); ++k) EXPECT_EQ(order[k], order[k - 1] - 1);
 }
 
-TEST(Crowd, OfAFewIsLeftAsItIs) {
+TEST(PointCloud, OfAFewIsLeftAsItIs) {
   const std::vector<Vec<2, double>> points{{3, 3}, {1, 1}, {2, 2}};
   EXPECT_EQ(sorted_crowd(points, 3), (std::vector<std::uint32_t>{0, 1, 2}));
 }

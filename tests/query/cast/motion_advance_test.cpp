@@ -65,7 +65,7 @@ TEST(MotionAdvance, APlaneIsKeptUntilLittleOfItsGapIsLeftAndNoLonger) {
   const auto trajectory = detail::trajectory_of(motion_a, motion_b, detail::reach_from(motion_a.center, a), 0.0);
   const double goal = tolerance::impact * trajectory.size / 2;
   const auto start = trajectory.at(0);
-  const auto parting = pair.parting_at(trajectory.pose_of_a(start));
+  const auto parting = pair.gap_state_at(trajectory.pose_of_a(start));
   ASSERT_GT(parting.gap, 1);
   const auto kept = detail::moment_parted(pair, trajectory, start, parting, goal);
   ASSERT_GT(kept.t, 0);

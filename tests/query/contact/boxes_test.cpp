@@ -92,7 +92,7 @@ TEST(BoxesSearch, IsTheLeastOfAllAxes) {
   test::check_property([] {
     const auto [a, b] = *test::any_pair<Box, Box>();
     const double size = size_around_zero(a) + size_around_zero(b);
-    PartingSearch<Box, Box> search(a, b, size);
+    SeparatingAxisSearch<Box, Box> search(a, b, size);
     offer_faces(a, b, search);
     const BoxesAxis<3> found = BoxesSearch<3>(sides_of(a), sides_of(b), size).run();
     RC_LOG() << test::to_source(a) << ", " << test::to_source(b) << "\n";

@@ -43,7 +43,7 @@ class Numbers {
 };
 
 /// The error of the projection, in epsilon of the largest coordinate.
-double foot_error(const Triangle<3, double>& triangle, const D3& p) {
+double projection_error(const Triangle<3, double>& triangle, const D3& p) {
   double largest = max_abs(p);
   for (const D3& corner : triangle.vertices()) largest = std::max(largest, max_abs(corner));
   const D3 closest = detail::closest_on(triangle, p).point;
@@ -75,7 +75,7 @@ TEST(ClosestOnCore, OnANeedleInSpaceIsRightToAFewUlpWhereverItIsSeenFrom) {
   for (int i = 0; i < 4000; ++i) {
     const Needle drawn = draw_needle(numbers);
     if (!(exact_signed_distance<3, double>(drawn.triangle, drawn.point) > 0)) continue;
-    worst = std::max(worst, foot_error(drawn.triangle, drawn.point));
+    worst = std::max(worst, projection_error(drawn.triangle, drawn.point));
     ++seen;
   }
   EXPECT_GT(seen, 3000U);
@@ -99,7 +99,7 @@ TEST(ClosestOnCore, OfNeedlesThatOnceHadItAWidthAwayOrAtTheOtherEnd) {
         {-346.23316673475017, -523.23154529005944, -134.32456148131794}},
        {-345.1910254695249, -521.66115582266707, -133.93212250060941}},
   }};
-  for (const Needle& needle : needles) EXPECT_LE(foot_error(needle.triangle, needle.point), 4);
+  for (const Needle& needle : needles) EXPECT_LE(projection_error(needle.triangle, needle.point), 4);
 }
 
 TEST(ClosestOnCore, OnATriangleOfAnySizeScalesByPowersOfTwoExactly) {

@@ -6,7 +6,7 @@
 
 #include <graze/math/rotation.hpp>
 #include <graze/query/closest_points.hpp>
-#include <graze/query/cores/parting_axis.hpp>
+#include <graze/query/cores/separating_axis.hpp>
 #include <graze/query/cores/touching_points.hpp>
 
 #include "catalogue.hpp"
@@ -67,7 +67,7 @@ void expect_as_near_as_the_search() {
     const A a = relative_to(origin, first);
     const B b = relative_to(origin, second);
     const double size = size_around_zero(a) + size_around_zero(b);
-    PartingSearch<A, B> search(a, b, size);
+    SeparatingAxisSearch<A, B> search(a, b, size);
     offer_faces(a, b, search);
     for (const double too_far : {0.0, 1e-15, 1e-3}) {
       const B moved = moved_by(b, search.best().normal * (too_far * size - search.best().gap));
@@ -98,7 +98,7 @@ TEST(ClosestOfTouching, IsAsNearAsThatOfMeeting) {
 TEST(ClosestOfTouching, IsTheCornerThatTouches) {
   const O3 box{{0, 0, 2}, {1, 1, 1}, rotation_matrix(V3(1, 2, 0.5), 40)};
   const T3 ground{{-40, -30, 0}, {50, -30, 0}, {0, 60, 0}};
-  PartingSearch<T3, O3> search(ground, box, 100);
+  SeparatingAxisSearch<T3, O3> search(ground, box, 100);
   search.offer({0, 0, 1});
   const O3 moved = moved_by(box, search.best().normal * -search.best().gap);
   const ClosestPair<3> pair = closest_of_touching(ground, moved, search.best().normal, 100);

@@ -173,7 +173,7 @@ void expect_near(const V& quick, const V& plain, double allowed) {
 }
 
 /// Compares the points over a face one by one.
-void expect_the_same_pairs(const CapsuleLook& quick, const WideManifold<3>& plain, double allowed, double allowed_off,
+void expect_the_same_pairs(const CapsuleResult& quick, const WideManifold<3>& plain, double allowed, double allowed_off,
                            double far) {
   std::array<SurfacePair<3>, 2> pairs;
   if (quick.put_points(pairs.data()) == 0) return;
@@ -210,7 +210,7 @@ void expect_the_same_answers() {
     const Capsule<3, T> pill{Vec<3, T>(drawn.pill.a), Vec<3, T>(drawn.pill.b), static_cast<T>(drawn.pill.radius)};
     const BoxType box = box_like(drawn.box, BoxType());
     RC_LOG() << test::to_source(box) << ", " << test::to_source(pill) << "\n";
-    const CapsuleLook quick = find_fast_contact(box, pill, false);
+    const CapsuleResult quick = find_fast_contact(box, pill, false);
     const bool is_apart = decide(box, pill) == Relation::apart;
     if (quick.is_known) RC_ASSERT(quick.meets == !is_apart);
     RC_ASSERT(contact(box, pill).has_value() == !is_apart);
@@ -269,7 +269,7 @@ double share_with_known_points() {
     const Capsule<3, T> pill{Vec<3, T>(low), Vec<3, T>(low + vector(1)), static_cast<T>(number(0.1, 0.4))};
     if (decide(box, pill) == Relation::apart) continue;
     ++count;
-    const CapsuleLook look = find_fast_contact(box, pill, false);
+    const CapsuleResult look = find_fast_contact(box, pill, false);
     std::array<SurfacePair<3>, 2> pairs;
     known += look.is_known && look.put_points(pairs.data()) > 0 ? 1 : 0;
   }

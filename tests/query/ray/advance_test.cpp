@@ -22,11 +22,11 @@ TEST(RayAdvance, StopsAtTheFaceAndKnowsItsNormal) {
   for (const auto& found : {advance_to(pyramid(), Path<3>{{0, 0.25, 0}, {2, 0, 0}, infinity}),
                             advance_by_distance(pyramid(), Path<3>{{0, 0.25, 0}, {2, 0, 0}, infinity})}) {
     EXPECT_EQ(found.verdict, RayVerdict::hits);
-    EXPECT_NEAR(found.touch.t, 1.625, 1e-14);
-    EXPECT_LE(found.touch.t, 1.625 + 1e-15);
-    EXPECT_EQ(found.touch.status, Status::converged);
-    EXPECT_LT(found.touch.error, 1e-13);
-    const Point normal = found.touch.normal / std::sqrt(dot(found.touch.normal, found.touch.normal));
+    EXPECT_NEAR(found.hit.t, 1.625, 1e-14);
+    EXPECT_LE(found.hit.t, 1.625 + 1e-15);
+    EXPECT_EQ(found.hit.status, Status::converged);
+    EXPECT_LT(found.hit.error, 1e-13);
+    const Point normal = found.hit.normal / std::sqrt(dot(found.hit.normal, found.hit.normal));
     EXPECT_NEAR(normal.x, -std::sqrt(0.5), 1e-12);
     EXPECT_NEAR(normal.y, std::sqrt(0.5), 1e-12);
   }
@@ -52,8 +52,8 @@ TEST(RayAdvance, MissesByAPlaneOrLeavesItOpen) {
 TEST(RayAdvance, StartsInsideAtZero) {
   const RayFinding<3> inside = advance_to(pyramid(), {{3.5, 0, 0}, {0, 1, 0}, infinity});
   EXPECT_EQ(inside.verdict, RayVerdict::hits);
-  EXPECT_EQ(inside.touch.t, 0);
-  EXPECT_EQ(inside.touch.normal, Point(0.0));
+  EXPECT_EQ(inside.hit.t, 0);
+  EXPECT_EQ(inside.hit.normal, Point(0.0));
 }
 
 TEST(RayAdvance, GrazesARoundShape) {
@@ -61,9 +61,9 @@ TEST(RayAdvance, GrazesARoundShape) {
   const Capsule<3, double> capsule{{5, 0, -1}, {5, 0, 1}, 2};
   const RayFinding<3> found = advance_by_distance(capsule, Path<3>{{0, 2, 0}, {1, 0, 0}, infinity});
   EXPECT_NE(found.verdict, RayVerdict::misses);
-  EXPECT_NEAR(found.touch.t, 5, 1e-6);
-  EXPECT_LE(found.touch.t, 5 + 1e-15);
-  EXPECT_LT(found.touch.error, 1e-13);
+  EXPECT_NEAR(found.hit.t, 5, 1e-6);
+  EXPECT_LE(found.hit.t, 5 + 1e-15);
+  EXPECT_LT(found.hit.error, 1e-13);
 }
 
 }  // namespace

@@ -39,10 +39,10 @@ TEST(RayPortal, EntersThroughTheFace) {
   const std::optional<RayFinding<3>> found = portal_of(pyramid(), {{0, 0.25, 0.125}, {2, 0, 0}, infinity});
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->verdict, RayVerdict::hits);
-  EXPECT_NEAR(found->touch.t, 1.625, 1e-15);
-  EXPECT_NEAR(found->touch.point.x, 3.25, 1e-15);
-  EXPECT_EQ(found->touch.normal / found->touch.normal.y, Point(-1, 1, 0));
-  EXPECT_LT(found->touch.error, 1e-13);
+  EXPECT_NEAR(found->hit.t, 1.625, 1e-15);
+  EXPECT_NEAR(found->hit.point.x, 3.25, 1e-15);
+  EXPECT_EQ(found->hit.normal / found->hit.normal.y, Point(-1, 1, 0));
+  EXPECT_LT(found->hit.error, 1e-13);
 }
 
 TEST(RayPortal, SaysWhatIsMissedByFar) {
@@ -68,8 +68,8 @@ TEST(RayPortal, LeavesOpenWhatIsNearlySo) {
       const std::optional<RayFinding<3>> found = portal_of(pyramid(), path);
       ASSERT_TRUE(found.has_value()) << off;
       EXPECT_EQ(found->verdict, RayVerdict::unclear) << off;
-      EXPECT_LE(found->touch.t, path.t_max);
-      EXPECT_GE(found->touch.t, 0);
+      EXPECT_LE(found->hit.t, path.t_max);
+      EXPECT_GE(found->hit.t, 0);
     }
   }
   EXPECT_FALSE(portal_of(pyramid(), {{3.75, 0.25, 0.125}, {1, 0, 0}, infinity}).has_value());
@@ -80,8 +80,8 @@ TEST(RayPortal, OfFlatPolytopesIsATriangleOrNone) {
   const std::optional<RayFinding<3>> crossed = portal_of(square, {{3, 1, 2}, {-2, 0, 0}, infinity});
   ASSERT_TRUE(crossed.has_value());
   EXPECT_EQ(crossed->verdict, RayVerdict::hits);
-  EXPECT_EQ(crossed->touch.t, 1);
-  EXPECT_GT(crossed->touch.normal.x, 0);
+  EXPECT_EQ(crossed->hit.t, 1);
+  EXPECT_GT(crossed->hit.normal.x, 0);
   EXPECT_FALSE(portal_of(square, {{1, -1, 2}, {0, 1, 0}, infinity}).has_value());
   const Hull segment = convex_hull<3, double>(std::vector<Point>{{1, 0, 0}, {1, 4, 0}});
   EXPECT_FALSE(portal_of(segment, {{0, 2, 0}, {1, 0, 0}, infinity}).has_value());
@@ -146,7 +146,7 @@ void expect_exact_entries() {
     if (found->verdict == RayVerdict::unclear) continue;
     ASSERT_EQ(found->verdict == RayVerdict::hits, entry.has_value()) << i;
     if (!entry) continue;
-    const Touch<3>& touch = found->touch;
+    const RawHit<3>& touch = found->hit;
     const double height = dot(touch.normal, path.direction * (touch.t - *entry)) / length(touch.normal);
     EXPECT_LE(std::fabs(height), touch.error) << i;
     EXPECT_LT(dot(touch.normal, path.direction), 0) << i;
@@ -204,9 +204,9 @@ TEST(RayPortal, AgreesWithGjkOnRoundHullsOfAnyNumberOfCorners) {
     const RayFinding<3> expected = advance_to(hull, path);
     ASSERT_EQ(found->verdict, expected.verdict) << i;
     if (found->verdict == RayVerdict::hits) {
-      const double way = length(path.direction) * std::fabs(found->touch.t - expected.touch.t);
+      const double way = length(path.direction) * std::fabs(found->hit.t - expected.hit.t);
       EXPECT_LT(way, 1e-9) << i;
-      EXPECT_LE(length(found->touch.point - expected.touch.point), 1e-9) << i;
+      EXPECT_LE(length(found->hit.point - expected.hit.point), 1e-9) << i;
     }
   }
   EXPECT_GT(settled, std::size_t{rays * 99 / 100});

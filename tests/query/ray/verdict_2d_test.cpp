@@ -22,15 +22,15 @@ TEST(RaySightFlat, OfASegmentIsWhereTheLinesAreNearest) {
   const RayFinding<3> crossing =
       ray_verdict_of(Segment<3, double>{{4, -1, 0}, {4, 2, 0}}, path(Point(2, 0, 0), infinity));
   EXPECT_EQ(crossing.verdict, RayVerdict::unclear);
-  EXPECT_EQ(crossing.touch.t, 2);
+  EXPECT_EQ(crossing.hit.t, 2);
   const RayFinding<3> along = ray_verdict_of(Segment<3, double>{{6, 0, 0}, {3, 0, 0}}, path(Point(2, 0, 0), infinity));
-  EXPECT_EQ(along.touch.t, 1.5);
-  EXPECT_EQ(along.touch.normal, Point(0.0));
+  EXPECT_EQ(along.hit.t, 1.5);
+  EXPECT_EQ(along.hit.normal, Point(0.0));
 }
 
 TEST(RaySightFlat, OfARayThatComesAgainstThePathIsWhereThePathStarts) {
-  EXPECT_EQ(ray_verdict_of(Ray<3, double>{{6, 0, 0}, {-3, 0, 0}}, path(Point(2, 0, 0), infinity)).touch.t, 0);
-  EXPECT_EQ(ray_verdict_of(Ray<3, double>{{6, 0, 0}, {3, 0, 0}}, path(Point(2, 0, 0), infinity)).touch.t, 3);
+  EXPECT_EQ(ray_verdict_of(Ray<3, double>{{6, 0, 0}, {-3, 0, 0}}, path(Point(2, 0, 0), infinity)).hit.t, 0);
+  EXPECT_EQ(ray_verdict_of(Ray<3, double>{{6, 0, 0}, {3, 0, 0}}, path(Point(2, 0, 0), infinity)).hit.t, 3);
 }
 
 TEST(RaySightFlat, OfATriangleIsClearInsideOutsideAndInTime) {
@@ -46,8 +46,8 @@ TEST(RaySightFlat, OfATriangleIsClearInsideOutsideAndInTime) {
   EXPECT_EQ(verdict({4, -1, 0}, infinity), RayVerdict::unclear);   // an edge
   EXPECT_EQ(verdict({4, -1, -1}, infinity), RayVerdict::unclear);  // a corner
   EXPECT_EQ(verdict({4, 0.5, 0.5}, infinity), RayVerdict::unclear);
-  EXPECT_EQ(ray_verdict_of(triangle, path(Point(2, 0, 0), infinity)).touch.t, 2);
-  EXPECT_EQ(ray_verdict_of(triangle, path(Point(4, -1, -1), infinity)).touch.t, 1);
+  EXPECT_EQ(ray_verdict_of(triangle, path(Point(2, 0, 0), infinity)).hit.t, 2);
+  EXPECT_EQ(ray_verdict_of(triangle, path(Point(4, -1, -1), infinity)).hit.t, 1);
 }
 
 /// A miss is reported exactly if there is one, except at the two ends of a path, which only ray_verdict_of considers.
@@ -70,7 +70,7 @@ TEST(RaySightFlat, OfATriangleIsMissedJustWhereTheLinePassesIt) {
 TEST(RaySightFlat, OfATriangleInItsPlaneIsLeftOpen) {
   const Triangle<3, double> triangle{{4, -1, 0}, {4, 1, 0}, {6, 0, 0}};
   EXPECT_EQ(ray_verdict_of(triangle, path(Point(1, 0, 0), infinity)).verdict, RayVerdict::unclear);
-  EXPECT_FALSE(ray_verdict_of(triangle, path(Point(1, 0, 0), infinity)).is_touch_known);
+  EXPECT_FALSE(ray_verdict_of(triangle, path(Point(1, 0, 0), infinity)).is_hit_known);
 }
 
 TEST(RaySightFlat, OfAPolygonClipsByItsEdges) {
@@ -80,7 +80,7 @@ TEST(RaySightFlat, OfAPolygonClipsByItsEdges) {
   };
   const RayFinding<2> hit = verdict({2, 0}, infinity);
   EXPECT_EQ(hit.verdict, RayVerdict::hits);
-  EXPECT_EQ(hit.touch.t, 1.75);
+  EXPECT_EQ(hit.hit.t, 1.75);
   EXPECT_EQ(verdict({2, 1}, infinity).verdict, RayVerdict::misses);
   EXPECT_EQ(verdict({2, 0}, 1.75).verdict, RayVerdict::unclear);
   EXPECT_EQ(verdict({3, 1}, infinity).verdict, RayVerdict::unclear);  // the upper left corner
@@ -93,19 +93,19 @@ TEST(RaySightFlat, OfAPolygonIsWhereTheLastSideIsCrossedHoweverNearlyParallel) {
   const std::array<Vec<2, double>, 4> corners{{{2, 1e-12}, {4, -1.9999e-8}, {4, 1}, {2, 1}}};
   const RayFinding<2> hit = ray_verdict_of_polygon<double>(corners, 0, path(Vec<2, double>(1, 0), infinity));
   EXPECT_EQ(hit.verdict, RayVerdict::hits);
-  EXPECT_NEAR(hit.touch.t, 2.0001, 1e-6);
-  EXPECT_LT(hit.touch.normal.y, 0);
+  EXPECT_NEAR(hit.hit.t, 2.0001, 1e-6);
+  EXPECT_LT(hit.hit.normal.y, 0);
 }
 
 TEST(RaySightFlat, OfATriangleWhosePlaneIsCrossedBesideAnEdgeIsLeftOpen) {
   const Triangle<3, double> triangle{{-4, -4, 1}, {4, 1, 1}, {-4, 1, 1}};
   const RayFinding<3> on_edge = ray_verdict_of(triangle, path(Point(0, 1, 1), infinity));
   EXPECT_EQ(on_edge.verdict, RayVerdict::unclear);
-  EXPECT_TRUE(on_edge.is_touch_known);
-  EXPECT_EQ(on_edge.touch.t, 1);
+  EXPECT_TRUE(on_edge.is_hit_known);
+  EXPECT_EQ(on_edge.hit.t, 1);
   const RayFinding<3> beside = ray_verdict_of(triangle, path(Point(0, 1 + 0x1p-42, 1), infinity));
   EXPECT_EQ(beside.verdict, RayVerdict::unclear);
-  EXPECT_FALSE(beside.is_touch_known);
+  EXPECT_FALSE(beside.is_hit_known);
 }
 
 /// The sides at its corner are nearly parallel to the path, which passes it by a rounding error: its crossings with
@@ -116,17 +116,17 @@ TEST(RaySightFlat, OfAPolygonWhoseCornerIsBarelyPassedIsLeftOpen) {
   const Vec<2, double> way = (needle.c - start) * 2.0;
   const RayFinding<2> passing = ray_verdict_of(relative_to(start, needle), path(way, 1));
   EXPECT_EQ(passing.verdict, RayVerdict::unclear);
-  EXPECT_FALSE(passing.is_touch_known);
+  EXPECT_FALSE(passing.is_hit_known);
 }
 
 TEST(RaySightFlat, OfAPolygonWithoutAreaIsAsWrongAsWhatDecidesIt) {
   const std::array<Vec<2, double>, 2> flat{{{5, -1}, {5, 1}}};
   const RayFinding<2> near = ray_verdict_of_polygon<double>(flat, 0, path(Vec<2, double>(2, 0), infinity));
   const RayFinding<2> far = ray_verdict_of_polygon<double>(flat, 1e6, path(Vec<2, double>(2, 0), infinity));
-  EXPECT_EQ(near.touch.t, 2.5);
-  EXPECT_EQ(far.touch.t, 2.5);
-  EXPECT_LT(near.touch.error, 1e-13);
-  EXPECT_GE(far.touch.error, tolerance::convex * 1e6);
+  EXPECT_EQ(near.hit.t, 2.5);
+  EXPECT_EQ(far.hit.t, 2.5);
+  EXPECT_LT(near.hit.error, 1e-13);
+  EXPECT_GE(far.hit.error, tolerance::convex * 1e6);
 }
 
 TEST(RaySightFlat, OfPlanesAndHalfSpacesIsUnclearNearTheEndOnly) {
@@ -136,7 +136,7 @@ TEST(RaySightFlat, OfPlanesAndHalfSpacesIsUnclearNearTheEndOnly) {
   for (const double t_max : {2.001, infinity}) {
     EXPECT_EQ(ray_verdict_of_boundary(plane, beside(t_max)).verdict, RayVerdict::hits);
     EXPECT_EQ(ray_verdict_of_boundary(solid, beside(t_max)).verdict, RayVerdict::hits);
-    EXPECT_EQ(ray_verdict_of_boundary(solid, beside(t_max)).touch.t, 2);
+    EXPECT_EQ(ray_verdict_of_boundary(solid, beside(t_max)).hit.t, 2);
   }
   EXPECT_EQ(ray_verdict_of_boundary(plane, beside(2)).verdict, RayVerdict::unclear);
   EXPECT_EQ(ray_verdict_of_boundary(solid, beside(2)).verdict, RayVerdict::unclear);

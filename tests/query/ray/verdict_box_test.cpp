@@ -54,8 +54,8 @@ TEST(RaySightBox, IsMissedJustWhereSightSaysSo) {
 TEST(RaySightBox, OfAFlatBoxIsClearWhereItIsCrossed) {
   const RayFinding<3> crossed = ray_verdict_of(Box{{4, -1, -1}, {4, 1, 1}}, path(Point(2, 0.25, 0), infinity));
   EXPECT_EQ(crossed.verdict, RayVerdict::hits);
-  EXPECT_EQ(crossed.touch.t, 2);
-  EXPECT_EQ(crossed.touch.point, Point(4, 0.5, 0));
+  EXPECT_EQ(crossed.hit.t, 2);
+  EXPECT_EQ(crossed.hit.point, Point(4, 0.5, 0));
 }
 
 /// A path that passes the side x = 4 slightly below the box and enters through its bottom, towards which it rises
@@ -68,10 +68,10 @@ TEST(RaySightBox, EntersNextToAnEdgeThroughTheSideThatItComesToLast) {
       const Obb<3, double> turned{box.center(), box.half_extents(), Mat<3, double>(1.0)};
       const Path<3> rising = path(Point(2, slope, 0), infinity);
       for (const RayFinding<3>& found : {ray_verdict_of(box, rising), ray_verdict_of(turned, rising)}) {
-        const double height = slope * found.touch.t - bottom;
+        const double height = slope * found.hit.t - bottom;
         EXPECT_NE(found.verdict, RayVerdict::misses) << slope << ", " << below;
-        EXPECT_LE(std::fabs(height), found.touch.error) << slope << ", " << below;
-        EXPECT_LE(found.touch.error, 3e-14 * (found.verdict == RayVerdict::unclear ? 2 : 1));
+        EXPECT_LE(std::fabs(height), found.hit.error) << slope << ", " << below;
+        EXPECT_LE(found.hit.error, 3e-14 * (found.verdict == RayVerdict::unclear ? 2 : 1));
       }
     }
   }
@@ -81,15 +81,15 @@ TEST(RaySightBox, RunsAlongASideWithEitherZero) {
   for (const double zero : {0.0, -0.0}) {
     const RayFinding<3> along = ray_verdict_of(Box{{4, 0, -1}, {6, 1, 1}}, path(Point(2, zero, zero), infinity));
     EXPECT_EQ(along.verdict, RayVerdict::unclear);
-    EXPECT_EQ(along.touch.t, 2);
-    EXPECT_EQ(along.touch.normal, Point(-1, 0, 0));
+    EXPECT_EQ(along.hit.t, 2);
+    EXPECT_EQ(along.hit.normal, Point(-1, 0, 0));
   }
 }
 
 // The point was once put on the side perpendicular to x as well, however far away that is.
 TEST(RaySightBox, PutsAPointOnTheSideOfANormalAlongAnAxisAlone) {
   const Box box{{0, 0, 0}, {100, 1, 1}};
-  Touch<3> touch;
+  RawHit<3> touch;
   touch.point = {30, -1e-12, 0.5};
   for (const Point& normal : {Point(0, -1, 0), Point(3e-29, -1, 0), Point(0, -1, -1e-300)}) {
     touch.normal = normal;
@@ -101,8 +101,8 @@ TEST(RaySightBox, PutsAPointOnTheSideOfANormalAlongAnAxisAlone) {
 TEST(RaySightBox, WorksInThePlane) {
   const RayFinding<2> hit = ray_verdict_of(Aabb<2, double>{{-1, 3}, {1, 5}}, path(Vec<2, double>(0.1, 2), infinity));
   EXPECT_EQ(hit.verdict, RayVerdict::hits);
-  EXPECT_EQ(hit.touch.t, 1.5);
-  EXPECT_EQ(hit.touch.normal, (Vec<2, double>(0, -1)));
+  EXPECT_EQ(hit.hit.t, 1.5);
+  EXPECT_EQ(hit.hit.normal, (Vec<2, double>(0, -1)));
 }
 
 TEST(RaySightBox, TakesAxesAsTheyAreStored) {
@@ -112,8 +112,8 @@ TEST(RaySightBox, TakesAxesAsTheyAreStored) {
   const Obb<3, double> box{{4, 0, 0}, {1, 2, 1}, axes};
   const RayFinding<3> hit = ray_verdict_of(box, path(Point(1, 0.25, 0), infinity));
   EXPECT_EQ(hit.verdict, RayVerdict::hits);
-  EXPECT_NEAR(hit.touch.t, 3 / (1 - 0.25 * 0x1p-10), 1e-15);
-  EXPECT_NEAR(hit.touch.normal.y / hit.touch.normal.x, -0x1p-10, 1e-18);
+  EXPECT_NEAR(hit.hit.t, 3 / (1 - 0.25 * 0x1p-10), 1e-15);
+  EXPECT_NEAR(hit.hit.normal.y / hit.hit.normal.x, -0x1p-10, 1e-18);
 }
 
 TEST(RaySightBox, TakesAxesThatAreMirrored) {
@@ -122,9 +122,9 @@ TEST(RaySightBox, TakesAxesThatAreMirrored) {
   const RayFinding<3> hit =
       ray_verdict_of(Obb<3, double>{{4, 0, 0}, {1, 2, 1}, axes}, path(Point(1, 0.25, 0), infinity));
   EXPECT_EQ(hit.verdict, RayVerdict::hits);
-  EXPECT_EQ(hit.touch.t, 3);
-  EXPECT_EQ(hit.touch.point, Point(3, 0.75, 0));
-  EXPECT_EQ(hit.touch.normal, Point(-1, 0, 0));
+  EXPECT_EQ(hit.hit.t, 3);
+  EXPECT_EQ(hit.hit.point, Point(3, 0.75, 0));
+  EXPECT_EQ(hit.hit.normal, Point(-1, 0, 0));
 }
 
 TEST(RaySightBox, NanIsNeverHit) {

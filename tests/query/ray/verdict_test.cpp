@@ -37,29 +37,29 @@ TEST(RaySight, OfABallBehindTheOriginMisses) {
   EXPECT_EQ(ray_verdict_of(Sphere<3, double>{{-1, 0, 0}, 1}, path(along, infinity)).verdict, RayVerdict::unclear);
   const RayFinding<3> inside = ray_verdict_of(Sphere<3, double>{{-0.5, 0, 0}, 1}, path(along, infinity));
   EXPECT_EQ(inside.verdict, RayVerdict::hits);
-  EXPECT_EQ(inside.touch.t, 0);
-  EXPECT_EQ(inside.touch.normal, Point(0.0));
+  EXPECT_EQ(inside.hit.t, 0);
+  EXPECT_EQ(inside.hit.normal, Point(0.0));
 }
 
 TEST(RaySight, OfABallKnowsWhereAGrazingRayTouches) {
   const RayFinding<3> grazing = ray_verdict_of(Sphere<3, double>{{10, 1, 0}, 1}, path(Point(2, 0, 0), infinity));
-  EXPECT_EQ(grazing.touch.t, 5);
-  EXPECT_EQ(grazing.touch.point, Point(10, 0, 0));
-  EXPECT_EQ(grazing.touch.normal, Point(0, -1, 0));
+  EXPECT_EQ(grazing.hit.t, 5);
+  EXPECT_EQ(grazing.hit.point, Point(10, 0, 0));
+  EXPECT_EQ(grazing.hit.normal, Point(0, -1, 0));
 }
 
 TEST(RaySight, OfACapsuleMeetsTheTubeOrAnEnd) {
   const Capsule<3, double> capsule{{10, -2, 0}, {10, 2, 0}, 1};
   const RayFinding<3> tube = ray_verdict_of(capsule, path(Point(1, 0, 0), infinity));
   EXPECT_EQ(tube.verdict, RayVerdict::hits);
-  EXPECT_EQ(tube.touch.t, 9);
-  EXPECT_EQ(tube.touch.normal, Point(-1, 0, 0));
+  EXPECT_EQ(tube.hit.t, 9);
+  EXPECT_EQ(tube.hit.normal, Point(-1, 0, 0));
   // Through (10, 2.6, 0) parallel to x, seen from (0, 2.6, 0): 0.6 above the upper end's center, 0.8 before it.
   const Capsule<3, double> lower{{10, -4.6, 0}, {10, -0.6, 0}, 1};
   const RayFinding<3> end = ray_verdict_of(lower, path(Point(1, 0, 0), infinity));
   EXPECT_EQ(end.verdict, RayVerdict::hits);
-  EXPECT_DOUBLE_EQ(end.touch.t, 9.2);
-  EXPECT_NEAR(end.touch.normal.y, 0.6, 1e-15);
+  EXPECT_DOUBLE_EQ(end.hit.t, 9.2);
+  EXPECT_NEAR(end.hit.normal.y, 0.6, 1e-15);
   EXPECT_EQ(ray_verdict_of(capsule, path(Point(1, 0, 0), 8.9)).verdict, RayVerdict::misses);
   EXPECT_EQ(ray_verdict_of(capsule, path(Point(1, 0.4, 0), infinity)).verdict, RayVerdict::misses);
 }
@@ -68,7 +68,7 @@ TEST(RaySight, OfACapsuleLeavesNearlyParallelRaysOpen) {
   const RayFinding<3> along =
       ray_verdict_of(Capsule<3, double>{{2, 0, 0}, {5, 0, 0}, 1}, path(Point(1, 0, 0), infinity));
   EXPECT_EQ(along.verdict, RayVerdict::unclear);
-  EXPECT_FALSE(along.is_touch_known);
+  EXPECT_FALSE(along.is_hit_known);
 }
 
 }  // namespace

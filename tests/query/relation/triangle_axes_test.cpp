@@ -17,18 +17,18 @@ namespace {
 using V3 = Vec<3, double>;
 using T3 = Triangle<3, double>;
 
-TEST(Shadow, IsWhatAShapeCoversOfAnAxis) {
-  const auto expect = [](const detail::Shadow& shadow, double low, double high) {
+TEST(Projection, IsWhatAShapeCoversOfAnAxis) {
+  const auto expect = [](const detail::Projection& shadow, double low, double high) {
     EXPECT_EQ(shadow.low, low);
     EXPECT_EQ(shadow.high, high);
   };
   const V3 axis(1, -2, 0);
-  expect(detail::shadow_on(axis, V3(3, 1, 9)), 1, 1);
-  expect(detail::shadow_on(axis, Segment<3, double>{{-1, -1, 0}, {1, 1, 0}}), -1, 1);
-  expect(detail::shadow_on(axis, Aabb<3, double>{{-1, -2, -3}, {1, 2, 3}}), -5, 5);
-  expect(detail::shadow_on(axis, Obb<3, double>{{0, 0, 0}, {1, 2, 3}, Mat<3, double>(0, 1, 0, 1, 0, 0, 0, 0, 1)}), -4,
-         4);
-  expect(detail::shadow_on(axis, T3{{0, 0, 5}, {3, 0, 0}, {0, 3, 0}}), -6, 3);
+  expect(detail::projection_on(axis, V3(3, 1, 9)), 1, 1);
+  expect(detail::projection_on(axis, Segment<3, double>{{-1, -1, 0}, {1, 1, 0}}), -1, 1);
+  expect(detail::projection_on(axis, Aabb<3, double>{{-1, -2, -3}, {1, 2, 3}}), -5, 5);
+  expect(detail::projection_on(axis, Obb<3, double>{{0, 0, 0}, {1, 2, 3}, Mat<3, double>(0, 1, 0, 1, 0, 0, 0, 0, 1)}),
+         -4, 4);
+  expect(detail::projection_on(axis, T3{{0, 0, 5}, {3, 0, 0}, {0, 3, 0}}), -6, 3);
   EXPECT_EQ(detail::gap_between({-6, 3}, {5, 7}), 2);
   EXPECT_EQ(detail::gap_between({5, 7}, {-6, 3}), 2);
   EXPECT_EQ(detail::gap_between({-6, 3}, {1, 7}), -2);

@@ -17,7 +17,7 @@
 #include "catalogue.hpp"
 #include "exact/numbers.hpp"
 #include "query/point_sets.hpp"
-#include "shape/thin_crowds.hpp"
+#include "shape/thin_clouds.hpp"
 
 namespace graze::detail::hull_shear_test {
 namespace {
@@ -66,7 +66,7 @@ TEST(HullShear, LeavesNothingOfWhatIsExactlyOnALineOrAtOnePlace) {
 }
 
 TEST(HullShear, ShowsWhatRoundingHides) {
-  const auto points = test::thin_crowd<double>(test::ThinCrowd::lines, 4, 1);
+  const auto points = test::thin_crowd<double>(test::ThinCloud::lines, 4, 1);
   std::vector<Vec<3, double>> needle;
   for (std::size_t i = 0; i < 2000; ++i) {
     needle.push_back(points[0] + (points[1] - points[0]) * (static_cast<double>(i * i % 1999) / 1999));
@@ -98,7 +98,7 @@ void expect_right_planes(const std::vector<Vec<3, T>>& points) {
 TYPED_TEST(HullShearIn, KeepsSidesOfPlanes) {
   using T = TypeParam;
   test::check_property([] {
-    const auto cluster = static_cast<test::ThinCrowd>(*test::choice(test::thin_crowds));
+    const auto cluster = static_cast<test::ThinCloud>(*test::choice(test::thin_clouds));
     expect_right_planes(test::thin_crowd<T>(cluster, 1 + *test::choice(600), *test::choice(1U << 30U)));
     const std::vector<Vec<3, T>> points = test::draw_points<3, T>(12);
     const HullFrame<T> in_range(points);
@@ -112,7 +112,7 @@ TYPED_TEST(HullShearIn, KeepsSidesOfPlanes) {
 TYPED_TEST(HullShearIn, IsExactUpToItsTolerance) {
   using T = TypeParam;
   test::check_property([] {
-    const auto cluster = static_cast<test::ThinCrowd>(*test::choice(test::thin_crowds));
+    const auto cluster = static_cast<test::ThinCloud>(*test::choice(test::thin_clouds));
     const std::vector<Vec<3, T>> points = test::thin_crowd<T>(cluster, 40, *test::choice(1U << 30U));
     const std::vector<Vec<3, double>> places = places_of(points);
     const auto volume = [](const auto& list, const std::array<std::uint32_t, 4>& four) {

@@ -17,16 +17,16 @@
 #include <graze/shape/hull/lexicographic.hpp>
 #include <graze/shape/hull/quickhull.hpp>
 #include <graze/shape/hull/undecided_points.hpp>
-#include <graze/shape/hull/vertices.hpp>
+#include <graze/shape/hull/vertices-inl.hpp>
 
 #include "catalogue.hpp"
 #include "shape/hull_surface.hpp"
-#include "shape/thin_crowds.hpp"
+#include "shape/thin_clouds.hpp"
 
 namespace graze::detail::hull_doubts_test {
 namespace {
 
-using test::ThinCrowd;
+using test::ThinCloud;
 
 template <class T>
 std::vector<Vec<3, T>> sorted(const std::vector<Vec<3, T>>& points, const std::vector<std::uint32_t>& places) {
@@ -76,7 +76,7 @@ std::vector<Vec<3, T>> sifted_vertices(const std::vector<Vec<3, T>>& points) {
 }
 
 TEST(HullDoubts, AreSiftedToAFewOfManyPointsOnALine) {
-  const auto points = test::thin_crowd<double>(ThinCrowd::lines, 4000, 3);
+  const auto points = test::thin_crowd<double>(ThinCloud::lines, 4000, 3);
   const HullFrame<double> frame(points);
   std::vector<HullPoint> candidates = all_points(frame);
   Quickhull<double> hull;
@@ -154,8 +154,8 @@ TEST(HullDoubts, PayToBeSiftedWhereMostPointsAreOnLines) {
     HullMemory<double> memory;
     return pays_to_sift(frame, core_of(frame), memory);
   };
-  EXPECT_TRUE(pays(test::thin_crowd<double>(ThinCrowd::lines, 20000, 3)));
-  std::vector<Vec<3, double>> sphere = test::thin_crowd<double>(ThinCrowd::cube_faces, 20000, 3);
+  EXPECT_TRUE(pays(test::thin_crowd<double>(ThinCloud::lines, 20000, 3)));
+  std::vector<Vec<3, double>> sphere = test::thin_crowd<double>(ThinCloud::cube_faces, 20000, 3);
   for (Vec<3, double>& point : sphere) point /= std::sqrt(dot(point, point));
   EXPECT_FALSE(pays(sphere));
 }
@@ -163,9 +163,9 @@ TEST(HullDoubts, PayToBeSiftedWhereMostPointsAreOnLines) {
 // Data of the previous hull must not affect the next one.
 TEST(HullDoubts, AreTheSameInMemoryThatHasBeenUsed) {
   HullMemory<double> used;
-  for (std::size_t cluster = 0; cluster < test::thin_crowds; ++cluster) {
+  for (std::size_t cluster = 0; cluster < test::thin_clouds; ++cluster) {
     for (const std::size_t count : {3U, 900U, 40U}) {
-      const auto points = test::thin_crowd<double>(static_cast<ThinCrowd>(cluster), count, cluster);
+      const auto points = test::thin_crowd<double>(static_cast<ThinCloud>(cluster), count, cluster);
       const HullFrame<double> frame(points);
       const auto of = [&frame](HullMemory<double>& memory) {
         std::vector<HullPoint> candidates = all_points(frame);
@@ -189,7 +189,7 @@ TYPED_TEST_SUITE(HullDoubtsIn, Scalars);
 TYPED_TEST(HullDoubtsIn, LeaveAClosedSurfaceAroundAllPoints) {
   using T = TypeParam;
   test::check_property([] {
-    const auto cluster = static_cast<ThinCrowd>(*test::choice(test::thin_crowds));
+    const auto cluster = static_cast<ThinCloud>(*test::choice(test::thin_clouds));
     const std::vector<Vec<3, T>> points =
         test::thin_crowd<T>(cluster, 4 + *test::choice(250), *test::choice(1U << 30U));
     const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
@@ -205,7 +205,7 @@ TYPED_TEST(HullDoubtsIn, LeaveAClosedSurfaceAroundAllPoints) {
 TYPED_TEST(HullDoubtsIn, AreSettledAsTheCarefulWaySettlesThem) {
   using T = TypeParam;
   test::check_property([] {
-    const auto cluster = static_cast<ThinCrowd>(*test::choice(test::thin_crowds));
+    const auto cluster = static_cast<ThinCloud>(*test::choice(test::thin_clouds));
     std::vector<Vec<3, T>> points = test::thin_crowd<T>(cluster, 4 + *test::choice(800), *test::choice(1U << 30U));
     const std::vector<Vec<3, T>> expected = careful_vertices(points);
     RC_ASSERT(vertices_of(points) == expected);
@@ -219,8 +219,8 @@ TYPED_TEST(HullDoubtsIn, AreSettledAsTheCarefulWaySettlesThem) {
 // So many that they are sifted before all others are decided.
 TYPED_TEST(HullDoubtsIn, AreSettledTheSameForMany) {
   using T = TypeParam;
-  for (std::size_t cluster = 0; cluster < test::thin_crowds; ++cluster) {
-    const auto points = test::thin_crowd<T>(static_cast<ThinCrowd>(cluster), 12000, cluster);
+  for (std::size_t cluster = 0; cluster < test::thin_clouds; ++cluster) {
+    const auto points = test::thin_crowd<T>(static_cast<ThinCloud>(cluster), 12000, cluster);
     EXPECT_EQ(vertices_of(points), careful_vertices(points)) << cluster;
   }
 }
@@ -228,7 +228,7 @@ TYPED_TEST(HullDoubtsIn, AreSettledTheSameForMany) {
 // So many that they are sifted in pieces, if that pays.
 TYPED_TEST(HullDoubtsIn, AreSettledTheSameByPieces) {
   using T = TypeParam;
-  for (const ThinCrowd cluster : {ThinCrowd::lines, ThinCrowd::cube_edges}) {
+  for (const ThinCloud cluster : {ThinCloud::lines, ThinCloud::cube_edges}) {
     const auto points = test::thin_crowd<T>(cluster, 70000, 5);
     const HullFrame<T> frame{std::span<const Vec<3, T>>(points)};
     HullMemory<T> memory;

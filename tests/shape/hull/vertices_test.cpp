@@ -119,17 +119,17 @@ TYPED_TEST(HullVerticesIn, AreThoseOfTheExactHullOfLayers) {
 }
 
 /// The distribution of the points.
-enum class Crowd { grid, sphere, box, needle };
+enum class PointCloud { grid, sphere, box, needle };
 
 template <class T>
-Vec<3, T> draw_member(Crowd cluster, rc::Random& random) {
+Vec<3, T> draw_member(PointCloud cluster, rc::Random& random) {
   const auto number = [&] { return test::between(random, -1, 1); };
   switch (cluster) {
-    case Crowd::grid:
+    case PointCloud::grid:
       return {test::whole(random, -9, 9), test::whole(random, -9, 9), test::whole(random, -9, 9)};
-    case Crowd::sphere:
+    case PointCloud::sphere:
       return test::draw_cospherical<3, T>(random);
-    case Crowd::box:
+    case PointCloud::box:
       return {number(), number() + 3, number() * 7};
     default:
       return {1e7 + number(), 1e-6 * number(), number() * number() * number()};
@@ -139,7 +139,7 @@ Vec<3, T> draw_member(Crowd cluster, rc::Random& random) {
 // Enough of them for the filter of deep points to work.
 TYPED_TEST(HullVerticesIn, AreTheSameForManyPointsWithoutThoseInside) {
   using T = TypeParam;
-  for (const Crowd cluster : {Crowd::grid, Crowd::sphere, Crowd::box, Crowd::needle}) {
+  for (const PointCloud cluster : {PointCloud::grid, PointCloud::sphere, PointCloud::box, PointCloud::needle}) {
     rc::Random random(static_cast<std::uint64_t>(cluster));
     std::vector<Vec<3, T>> points;
     points.reserve(5000);

@@ -13,7 +13,7 @@
 #include <graze/shape/hull/visibility.hpp>
 
 #include "catalogue.hpp"
-#include "shape/thin_crowds.hpp"
+#include "shape/thin_clouds.hpp"
 
 namespace graze::detail::hull_sight_test {
 namespace {
@@ -65,7 +65,7 @@ TEST(HullVisibility, IsNotClearWhereNothingIsInside) {
 // Whether a point is outside of a hull follows from the faces that it faces.
 TEST(HullVisibility, KnowsWhatIsOutside) {
   test::check_property([] {
-    const auto cluster = static_cast<test::ThinCrowd>(*test::choice(test::thin_crowds));
+    const auto cluster = static_cast<test::ThinCloud>(*test::choice(test::thin_clouds));
     const Points points = test::thin_crowd<double>(cluster, 5 + *test::choice(200), *test::choice(1U << 30U));
     const HullFrame<double> frame(points);
     std::vector<HullPoint> some;

@@ -55,8 +55,8 @@ inline constexpr auto axes_along_faces = [] {
 class AxesLook {
  public:
   static constexpr std::uint32_t axes = (1U << 15U) - 1;
-  static constexpr std::uint32_t overlapping = ObbsLook::overlapping;
-  static constexpr std::uint32_t apart = ObbsLook::apart;
+  static constexpr std::uint32_t overlapping = ObbAxisTest::overlapping;
+  static constexpr std::uint32_t apart = ObbAxisTest::apart;
   static constexpr int first_right_angle = 17;  ///< And the subsequent bits, as in axes_along_faces.
 
   using BitsTag = hn::RebindToUnsigned<Tag<float>>;

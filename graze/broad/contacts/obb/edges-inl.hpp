@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The manifolds of many pairs of oriented boxes across an edge of each: quick_pair_on_edges of
+// The manifolds of many pairs of oriented boxes across an edge of each: crossing_of_edges of
 // query/fast_contact/obb/contact.hpp. Included once per instruction set, so it has no ordinary include guard.
 #if defined(GRAZE_BROAD_CONTACTS_OBB_EDGES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_CONTACTS_OBB_EDGES_INL_HPP
@@ -32,7 +32,7 @@ struct EdgePairs {
   DoublesMask turned;  ///< The first is the user's second.
 
   HWY_INLINE explicit EdgePairs(const PairGroup<T>& group) : first(group.first), second(group.second) {
-    const LookLanes looks(group.looks);
+    const AxisTestLanes looks(group.looks);
     const Doubles row = looks.row();
     edge_a = hn::Sub(row, both(2));
     edge_b = hn::Sub(looks.axis(), hn::Mul(row, both(3)));

@@ -27,8 +27,8 @@ HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
 #if HWY_TARGET != HWY_SCALAR  // which has no vectors of two groups of pairs
 
-/// In addition to the bits of an ObbsLook: the reference face is on the second box, and the axis is not its normal.
-inline constexpr std::uint64_t carried_by_second = std::uint64_t{1} << 32U;
+/// In addition to the bits of an ObbAxisTest: the reference face is on the second box, and the axis is not its normal.
+inline constexpr std::uint64_t reference_on_second = std::uint64_t{1} << 32U;
 
 /// A group of pairs, with their axis tests and that bit.
 template <class T>
@@ -39,19 +39,19 @@ struct PairGroup {
 };
 
 /// The axis tests of a group.
-class LookLanes {
+class AxisTestLanes {
  public:
-  HWY_INLINE explicit LookLanes(const std::uint64_t* looks)
+  HWY_INLINE explicit AxisTestLanes(const std::uint64_t* looks)
       : looks_(hn::LoadU(BitsTag(), looks)),
         axis_(hn::ConvertTo(Tag<double>(), hn::BitCast(hn::RebindToSigned<Tag<double>>(),
-                                                       hn::And(looks_, hn::Set(BitsTag(), ObbsLook::axis_bits))))) {}
+                                                       hn::And(looks_, hn::Set(BitsTag(), ObbAxisTest::axis_bits))))) {}
 
   /// Its index, as in BoxesAxes.
   Doubles axis() const { return axis_; }
   /// Three indices make one row: the faces of the first box, those of the second, and the edges of the first.
   HWY_INLINE Doubles row() const { return hn::Floor(hn::Mul(hn::Add(axis_, both(0.5)), both(1.0 / 3))); }
-  HWY_INLINE DoublesMask turned() const { return has_bits(ObbsLook::turned); }
-  HWY_INLINE DoublesMask by_second() const { return has_bits(carried_by_second); }
+  HWY_INLINE DoublesMask turned() const { return has_bits(ObbAxisTest::turned); }
+  HWY_INLINE DoublesMask by_second() const { return has_bits(reference_on_second); }
 
  private:
   HWY_INLINE DoublesMask has_bits(std::uint64_t bits) const {
@@ -73,7 +73,7 @@ struct FacePairs {
 
   /// From a group whose first boxes have the reference face.
   HWY_INLINE explicit FacePairs(const PairGroup<T>& group) : own(group.first), other(group.second) {
-    const LookLanes looks(group.looks);
+    const AxisTestLanes looks(group.looks);
     of_b = hn::Gt(looks.axis(), both(2));
     axis = hn::Sub(looks.axis(), hn::IfThenElseZero(of_b, both(3)));
     turned = looks.turned();
@@ -92,7 +92,7 @@ struct CarriedPairs {
   DoublesMask turned;
 
   HWY_INLINE explicit CarriedPairs(const PairGroup<T>& group) : first(group.first), second(group.second) {
-    const LookLanes looks(group.looks);
+    const AxisTestLanes looks(group.looks);
     const Doubles row = looks.row();
     is_on_edges = hn::Gt(row, both(1));
     axis_a = hn::IfThenElseZero(is_on_edges, hn::Sub(row, both(2)));
@@ -107,7 +107,7 @@ HWY_INLINE DoublesMask may_be_aligned(const BoxLanes& box, const Point& directio
   return hn::Gt(hn::Max(hn::Max(cosine(0), cosine(1)), cosine(2)), both(1 - doubt_of_cosines));
 }
 
-/// The face of a box that faces a direction most, as looking_face of query/fast_contact/obb/contact.hpp.
+/// The face of a box that faces a direction most, as facing_face of query/fast_contact/obb/contact.hpp.
 struct LookingFace {
   Doubles axis;
   DoublesMask is_far;
@@ -156,7 +156,7 @@ HWY_INLINE Bits face_number(Doubles axis, DoublesMask is_far) {
 }
 
 /// The data of pairs before their faces are clipped.
-struct CarriedLanes {
+struct ClipInput {
   BoxLanes own;  ///< With the axis of the reference face as the first.
   BoxLanes other;
   AxisLanes found;
@@ -209,8 +209,8 @@ class ReferenceBoxes {
 };
 
 template <class T>
-HWY_INLINE CarriedLanes carried_lanes(const FacePairs<T>& pairs) {
-  CarriedLanes carried;
+HWY_INLINE ClipInput carried_lanes(const FacePairs<T>& pairs) {
+  ClipInput carried;
   BoxLanes own;
   load_boxes(pairs.own, own);
   load_boxes(pairs.other, carried.other);
@@ -235,9 +235,9 @@ HWY_INLINE CarriedLanes carried_lanes(const FacePairs<T>& pairs) {
 }
 
 template <class T>
-HWY_INLINE CarriedLanes carried_lanes(const CarriedPairs<T>& pairs) {
+HWY_INLINE ClipInput carried_lanes(const CarriedPairs<T>& pairs) {
   BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
-  CarriedLanes carried;
+  ClipInput carried;
   carried.turned = pairs.turned;
   carried.of_b = pairs.of_b;
   carried.origin = see_from_first(boxes);
@@ -256,7 +256,7 @@ HWY_INLINE CarriedLanes carried_lanes(const CarriedPairs<T>& pairs) {
 }
 
 /// Whether the reference box has a face parallel to the axis, as in is_face_along.
-HWY_INLINE DoublesMask are_carried(const CarriedLanes& carried) {
+HWY_INLINE DoublesMask are_carried(const ClipInput& carried) {
   const Point turn = carried.upward.normal - carried.upward.up;
   return hn::And(may_be_aligned(carried.own, carried.upward.up),
                  hn::Le(dot(turn, turn), both(tolerance::aligned * tolerance::aligned)));
@@ -267,7 +267,7 @@ template <class T>
 class FaceContacts {
  public:
   /// Must be called first.
-  HWY_INLINE void lay(const CarriedLanes& carried) {
+  HWY_INLINE void lay(const ClipInput& carried) {
     up_ = carried.upward.up;
     normal_ = carried.found.normal;
     of_b_ = carried.of_b;

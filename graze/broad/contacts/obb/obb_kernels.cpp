@@ -21,9 +21,9 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_WASM && HWY_HAVE_FLOAT64 && \
     defined(GRAZE_HAS_LANES)
 #define GRAZE_MANIFOLD_LANES (HWY_MAX_BYTES >= 32 && HWY_NATIVE_FMA)
+#include <graze/broad/contacts/obb/axis_tests-inl.hpp>
 #include <graze/broad/contacts/obb/edges-inl.hpp>
 #include <graze/broad/contacts/obb/faces-inl.hpp>
-#include <graze/broad/contacts/obb/looks-inl.hpp>
 #else
 #define GRAZE_MANIFOLD_LANES 0
 #endif
@@ -35,7 +35,7 @@ namespace {
 #if GRAZE_MANIFOLD_LANES
 
 template <class T>
-void look_at_obbs(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbsLook* looks) {
+void look_at_obbs(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbAxisTest* looks) {
   LooksAtObbs<T>(pairs, first, looks);
 }
 
@@ -106,7 +106,7 @@ class ContactBatch {
     for (std::uint32_t place = 0; place < result.size(); ++place) {
       const std::uint32_t axis = place % 16;
       const Kind across = axis < 6 ? on_face : on_edges;
-      result[place].kind = axis == ObbsLook::no_axis ? unknown : place >= 16 ? level : across;
+      result[place].kind = axis == ObbAxisTest::no_axis ? unknown : place >= 16 ? level : across;
       result[place].exchanged = result[place].kind == on_face && axis >= 3;
     }
     return result;
@@ -115,8 +115,8 @@ class ContactBatch {
   HWY_INLINE void sort_in(std::size_t i) {
     const ObbsToContact<T>& pair = pairs_[i];
     const std::uint32_t look = pair.look.bits;
-    static_assert(ObbsLook::along_face >> 20U == 16);
-    const Sort sort = sorts[(look & ObbsLook::axis_bits) | (look >> 20U & 16U)];
+    static_assert(ObbAxisTest::along_face >> 20U == 16);
+    const Sort sort = sorts[(look & ObbAxisTest::axis_bits) | (look >> 20U & 16U)];
     put(sort, pair.look.is_turned() != sort.exchanged, numbers_of(*pair.boxes.a), numbers_of(*pair.boxes.b), look, i);
   }
 
@@ -202,7 +202,7 @@ class ContactBatch {
 
   /// For pairs whose reference faces are given by their axis tests. If not `is_known`, returns false unless all are.
   HWY_NOINLINE static bool lay_carried(const PairGroup<T>& group, bool is_known, FaceContacts<T>& contacts) {
-    const CarriedLanes lanes = carried_lanes(CarriedPairs<T>(group));
+    const ClipInput lanes = carried_lanes(CarriedPairs<T>(group));
     if (!is_known && !hn::AllTrue(Tag<double>(), are_carried(lanes))) return false;
     contacts.lay(lanes);
     return true;
@@ -215,8 +215,8 @@ class ContactBatch {
     for (std::size_t lane = 0; lane < std::min(pairs_at_once, list.count - from); ++lane) {
       const std::size_t at = from + lane;
       const bool is_carried = ((by_first | by_second) >> lane & 1U) != 0;
-      const std::uint64_t of_second = (by_second >> lane & 1U) != 0 ? carried_by_second : 0;
-      const Sort sort = is_carried ? Sort{carried, false} : sorts[list.looks[at] & ObbsLook::axis_bits];
+      const std::uint64_t of_second = (by_second >> lane & 1U) != 0 ? reference_on_second : 0;
+      const Sort sort = is_carried ? Sort{carried, false} : sorts[list.looks[at] & ObbAxisTest::axis_bits];
       put(sort, sort.exchanged, list.first[at], list.second[at], list.looks[at] | of_second, list.pairs[at]);
     }
   }
@@ -236,8 +236,8 @@ std::size_t contact_obbs(std::span<const ObbsToContact<T>> pairs, std::uint32_t*
 #else
 
 template <class T>
-void look_at_obbs(std::span<const TwoObbs<T>> pairs, FirstBox /*first*/, ObbsLook* looks) {
-  std::fill_n(looks, pairs.size(), ObbsLook{});
+void look_at_obbs(std::span<const TwoObbs<T>> pairs, FirstBox /*first*/, ObbAxisTest* looks) {
+  std::fill_n(looks, pairs.size(), ObbAxisTest{});
 }
 
 template <class T>

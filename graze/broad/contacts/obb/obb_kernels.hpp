@@ -24,7 +24,7 @@ struct TwoObbs {
 };
 
 /// The result of testing the fifteen axes of two oriented boxes, as bits.
-struct ObbsLook {
+struct ObbAxisTest {
   static constexpr std::uint32_t no_axis = 15;
   static constexpr std::uint32_t axis_bits = 15;
   static constexpr std::uint32_t overlapping = 1U << 15U;
@@ -43,14 +43,14 @@ struct ObbsLook {
   /// Whether the second box is the first in their contact order. Valid only if the axis is known.
   bool is_turned() const { return (bits & turned) != 0; }
 
-  friend bool operator==(const ObbsLook&, const ObbsLook&) = default;
+  friend bool operator==(const ObbAxisTest&, const ObbAxisTest&) = default;
 };
 
 /// Two overlapping boxes, the result of their axis test, and where their manifold from a to b goes.
 template <class T>
 struct ObbsToContact {
   TwoObbs<T> boxes;
-  ObbsLook look;
+  ObbAxisTest look;
   Manifold<3, T>* manifold;
 };
 
@@ -62,7 +62,7 @@ enum class FirstBox : std::uint8_t { in_order, as_named };
 
 /// Tests the axes of pairs that may be apart.
 template <class T>
-using AxisKernel = void (*)(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbsLook* looks);
+using AxisKernel = void (*)(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbAxisTest* looks);
 
 /// Writes the manifolds of most pairs, which must be value-initialised, because zeros are not written. `left`, which
 /// has space for all, receives the indices of the other pairs, whose manifolds are unspecified; returns their number.

@@ -51,19 +51,19 @@ inline BoxSides<3> sides_of(const PairedBox& box) {
 }
 
 /// The face of a box that faces most along a direction, if two of them do so almost equally.
-[[gnu::noinline]] inline BoxFaceNumbers looking_side(const PairedBox& box, const PairedVec& direction) {
+[[gnu::noinline]] inline BoxFaceNumbers facing_side(const PairedBox& box, const PairedVec& direction) {
   const BoxSide<3> side = side_along<3>(face_normals(axes_matrix(box)), plain(direction));
   return {side.axis, side.is_far};
 }
 
 /// The face of a box that faces most along a direction, as side_along selects it. Branch-free unless it is uncertain.
-[[gnu::always_inline]] inline BoxFaceNumbers looking_face(const PairedBox& box, const PairedVec& direction) {
+[[gnu::always_inline]] inline BoxFaceNumbers facing_face(const PairedBox& box, const PairedVec& direction) {
   const double x = dot(box.axes[0], direction);
   const double y = dot(box.axes[1], direction);
   const double z = dot(box.axes[2], direction);
   const double larger = std::max(std::fabs(x), std::fabs(y));
   const double second = std::max(std::min(std::fabs(x), std::fabs(y)), std::min(larger, std::fabs(z)));
-  if (!(std::max(larger, std::fabs(z)) - second > doubt_of_cosines)) return looking_side(box, direction);
+  if (!(std::max(larger, std::fabs(z)) - second > doubt_of_cosines)) return facing_side(box, direction);
   const auto is_second = static_cast<unsigned>(std::fabs(y) > std::fabs(x));
   const auto is_third = static_cast<unsigned>(std::fabs(z) > larger);
   const unsigned best = is_third << 1U | (is_second & ~is_third);
@@ -249,7 +249,7 @@ struct ReferenceFace {
 
 /// The face of a box that is perpendicular to a direction, if any.
 [[gnu::noinline]] inline ReferenceFace aligned_face(const PairedBox& box, const PairedVec& direction, bool is_of_b) {
-  const BoxFaceNumbers face = looking_face(box, direction);
+  const BoxFaceNumbers face = facing_face(box, direction);
   const Vec<3, double> side = sides_of(box).normal(face.axis);
   const Vec<3, double> normal = dot(side, plain(direction)) < 0 ? -side : side;
   return {is_aligned(normal, plain(direction)), is_of_b, face, PairedVec(normal)};
@@ -299,7 +299,7 @@ struct ReferenceFace {
   const PairedBox& box = met.box[face.is_of_b ? 1 : 0];
   const PairedBox& other = met.box[face.is_of_b ? 0 : 1];
   const PairedVec up = met.normal * (face.is_of_b ? -1.0 : 1.0);
-  return {face_of_box(other, looking_face(other, -up)),
+  return {face_of_box(other, facing_face(other, -up)),
           face_of_box(box, face.numbers),
           up,
           face.normal,
@@ -332,7 +332,7 @@ struct CrossingEdges {
 };
 
 /// With u and v along the edges and w from middle to middle, n = u x v, at s n^2 = (w x v) . n and t n^2 = (w x u) . n.
-[[gnu::always_inline]] inline CrossingEdges quick_pair_on_edges(const MeetingObbs& met) {
+[[gnu::always_inline]] inline CrossingEdges crossing_of_edges(const MeetingObbs& met) {
   constexpr double farthest = 1 - 0x1p-20;
   constexpr double least_share = 2e-6;  // relative to the size: of an edge that does not count as a point
   const auto& [across, squared, ahead, heights] = met.edges;
@@ -409,7 +409,7 @@ template <class Seen>
   TouchingPoints points{{origin, origin}};
   bool is_known = false;
   if (met.is_on_edges) {
-    const CrossingEdges edges = quick_pair_on_edges(met);
+    const CrossingEdges edges = crossing_of_edges(met);
     points.of[0] = edges.points.point_a + origin;
     points.of[1] = edges.points.point_b + origin;
     is_known = edges.is_known;

@@ -56,10 +56,10 @@ bool has_kernel([[maybe_unused]] std::int64_t target) {
 }
 
 template <class T>
-std::vector<ObbsLook> looks_at(std::span<const std::pair<Obb<3, T>, Obb<3, T>>> boxes) {
+std::vector<ObbAxisTest> looks_at(std::span<const std::pair<Obb<3, T>, Obb<3, T>>> boxes) {
   std::vector<TwoObbs<T>> pairs;
   for (const auto& [a, b] : boxes) pairs.push_back({&a, &b});
-  std::vector<ObbsLook> looks(boxes.size(), ObbsLook{~0U});  // a value that marks entries as unwritten
+  std::vector<ObbAxisTest> looks(boxes.size(), ObbAxisTest{~0U});  // a value that marks entries as unwritten
   obb_kernels<T>().look(pairs, FirstBox::in_order, looks.data());
   return looks;
 }
@@ -71,7 +71,7 @@ std::size_t left_of(const Boxes<T>& boxes, const std::string& where) {
   for (std::size_t first = 0; first < boxes.size(); first += most_obbs_to_contact) {
     const std::size_t count = std::min(most_obbs_to_contact, boxes.size() - first);
     std::vector<Manifold<3, T>> found(count);
-    const std::vector<ObbsLook> looks = looks_at<T>(std::span(boxes).subspan(first, count));
+    const std::vector<ObbAxisTest> looks = looks_at<T>(std::span(boxes).subspan(first, count));
     std::vector<ObbsToContact<T>> pairs(count);
     for (std::size_t i = 0; i < count; ++i) {
       pairs[i] = {{&boxes[first + i].first, &boxes[first + i].second}, looks[i], &found[i]};
@@ -337,7 +337,7 @@ Boxes<T> boxes_about_to_touch(Pairs& pairs, std::size_t count, double share) {
 /// which they are not certain.
 template <class T>
 std::size_t open_looks(const Boxes<T>& boxes, const std::string& where) {
-  const std::vector<ObbsLook> looks = looks_at<T>(boxes);
+  const std::vector<ObbAxisTest> looks = looks_at<T>(boxes);
   std::size_t open = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const auto& [a, b] = boxes[i];
@@ -345,7 +345,7 @@ std::size_t open_looks(const Boxes<T>& boxes, const std::string& where) {
     const bool is_right =
         (!looks[i].is_apart() || said == Relation::apart) && (!looks[i].is_overlapping() || said != Relation::apart);
     EXPECT_TRUE(is_right) << where << '\n' << text_of(a) << '\n' << text_of(b);
-    EXPECT_LE(looks[i].axis(), ObbsLook::no_axis);
+    EXPECT_LE(looks[i].axis(), ObbAxisTest::no_axis);
     open += looks[i].is_apart() || looks[i].is_overlapping() ? 0 : 1;
   }
   return open;

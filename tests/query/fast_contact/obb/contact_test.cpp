@@ -32,7 +32,7 @@ TEST(LookingFace, IsTheOneThatSideAlongChooses) {
     const auto [a, b] = *test::any_pair<Box, Box>();
     for (Dim i = 0; i < 3; ++i) {
       const BoxSide<3> side = side_along<3>(face_normals(a.axes), b.axes[i]);
-      const BoxFaceNumbers face = looking_face(paired_box(a, V3(0.0)), PairedVec(b.axes[i]));
+      const BoxFaceNumbers face = facing_face(paired_box(a, V3(0.0)), PairedVec(b.axes[i]));
       RC_ASSERT(face.axis == side.axis);
       RC_ASSERT(face.is_far == side.is_far);
     }
@@ -53,13 +53,13 @@ TEST(FaceAlong, LooksStraightUpToTheToleranceOfManifolds) {
 TEST(QuickPairOnEdges, IsWhereTheyCross) {
   const Box below{{0, 0, 0}, {1, 1, 1}, rotation_matrix(V3(0, 1, 0), 45)};
   const Box above{{0, 0, 2.5}, {1, 1, 1}, rotation_matrix(V3(1, 0, 0), 45)};
-  const CrossingEdges edges = quick_pair_on_edges(MeetingObbs(ObbsInFrame(below, above), all_boxes_axes<3>));
+  const CrossingEdges edges = crossing_of_edges(MeetingObbs(ObbsInFrame(below, above), all_boxes_axes<3>));
   ASSERT_TRUE(edges.is_known);
   EXPECT_NEAR(length(plain(edges.points.point_a) - V3(0, 0, std::sqrt(2.0))), 0, 1e-15);
   EXPECT_NEAR(length(plain(edges.points.point_b) - V3(0, 0, 2.5 - std::sqrt(2.0))), 0, 1e-15);
   EXPECT_EQ(edges.points.feature_a.kind, FeatureKind::edge);
   const Box beside{{0, 1, 2.5}, {1, 1, 1}, above.axes};  // at the end of the lower edge
-  EXPECT_FALSE(quick_pair_on_edges(MeetingObbs(ObbsInFrame(below, beside), 1U << (6U + 3 * 1 + 0))).is_known);
+  EXPECT_FALSE(crossing_of_edges(MeetingObbs(ObbsInFrame(below, beside), 1U << (6U + 3 * 1 + 0))).is_known);
 }
 
 TEST(CornerOverFace, IsTheDeepestOneIfItIsOverTheFace) {

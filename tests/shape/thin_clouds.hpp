@@ -18,7 +18,7 @@
 namespace graze::test {
 
 /// Where the points of a thin cloud are.
-enum class ThinCrowd {
+enum class ThinCloud {
   lines,
   planes,
   cube_edges,
@@ -27,12 +27,12 @@ enum class ThinCrowd {
   rulings,  ///< Of a cylinder and a cone.
   box,      ///< Thinner than wide and wider than long, by up to 1e20 each.
 };
-inline constexpr std::size_t thin_crowds = 7;
+inline constexpr std::size_t thin_clouds = 7;
 
 /// A cloud after generation: rotated and moved, because axis alignment hides rounding.
 class ThinCrowdSource {
  public:
-  ThinCrowdSource(ThinCrowd cluster, rc::Random& random)
+  ThinCrowdSource(ThinCloud cluster, rc::Random& random)
       : crowd_(cluster),
         random_(random),
         turn_(rotation_matrix(Vec<3, double>(number(), number(), 2), 90 * number())),
@@ -44,8 +44,8 @@ class ThinCrowdSource {
 
   Vec<3, double> next() {
     const std::array<Vec<3, double>, 3>& part = parts_[below(parts_.size())];
-    if (crowd_ == ThinCrowd::lines) return offset_ + part[0] + part[1] * number();
-    if (crowd_ == ThinCrowd::planes) return offset_ + part[0] + part[1] * number() + part[2] * number();
+    if (crowd_ == ThinCloud::lines) return offset_ + part[0] + part[1] * number();
+    if (crowd_ == ThinCloud::planes) return offset_ + part[0] + part[1] * number() + part[2] * number();
     return offset_ + turn_ * untilted();
   }
 
@@ -54,16 +54,16 @@ class ThinCrowdSource {
     Vec<3, double> point = vector();
     const double angle = 0.5 * whole(random_, 0, 12);
     switch (crowd_) {
-      case ThinCrowd::cube_edges:
+      case ThinCloud::cube_edges:
         point[static_cast<Dim>(below(3))] = below(2) == 0 ? 1 : -1;
         [[fallthrough]];
-      case ThinCrowd::cube_faces:
+      case ThinCloud::cube_faces:
         point[static_cast<Dim>(below(3))] = below(2) == 0 ? 1 : -1;
         return point;
-      case ThinCrowd::lattice:
+      case ThinCloud::lattice:
         for (Dim i = 0; i < 3; ++i) point[i] = std::round(point[i] * steps_) / steps_;
         return point;
-      case ThinCrowd::rulings:
+      case ThinCloud::rulings:
         if (point.x > 0) return {std::cos(angle), std::sin(angle), point.z};
         return {std::cos(angle) * point.z, std::sin(angle) * point.z, point.z};
       default:
@@ -79,7 +79,7 @@ class ThinCrowdSource {
   }
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(random_.next() % count); }
 
-  ThinCrowd crowd_;
+  ThinCloud crowd_;
   rc::Random& random_;
   Mat<3, double> turn_;
   Vec<3, double> offset_;
@@ -90,7 +90,7 @@ class ThinCrowdSource {
 
 /// About one in eight of the points duplicates an earlier one.
 template <class T>
-std::vector<Vec<3, T>> thin_crowd(ThinCrowd cluster, std::size_t count, std::uint64_t seed) {
+std::vector<Vec<3, T>> thin_crowd(ThinCloud cluster, std::size_t count, std::uint64_t seed) {
   rc::Random random(seed);
   ThinCrowdSource source(cluster, random);
   std::vector<Vec<3, T>> points;

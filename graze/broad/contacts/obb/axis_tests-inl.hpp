@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Tests the axes of many pairs of oriented boxes: finds the axis of least depth of each, and whether the boxes overlap.
 // Included once per instruction set, so it has no ordinary include guard.
-#if defined(GRAZE_BROAD_CONTACTS_OBB_LOOKS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef GRAZE_BROAD_CONTACTS_OBB_LOOKS_INL_HPP
-#undef GRAZE_BROAD_CONTACTS_OBB_LOOKS_INL_HPP
+#if defined(GRAZE_BROAD_CONTACTS_OBB_AXIS_TESTS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef GRAZE_BROAD_CONTACTS_OBB_AXIS_TESTS_INL_HPP
+#undef GRAZE_BROAD_CONTACTS_OBB_AXIS_TESTS_INL_HPP
 #else
-#define GRAZE_BROAD_CONTACTS_OBB_LOOKS_INL_HPP
+#define GRAZE_BROAD_CONTACTS_OBB_AXIS_TESTS_INL_HPP
 #endif
 
 #include <algorithm>
@@ -214,7 +214,7 @@ class PairsToLookAt<double> {
 template <class T>
 class LooksAtObbs {
  public:
-  LooksAtObbs(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbsLook* looks)
+  LooksAtObbs(std::span<const TwoObbs<T>> pairs, FirstBox first, ObbAxisTest* looks)
       : pairs_(pairs), first_(first), looks_(looks) {
     for (std::size_t from = 0; from < pairs.size(); from += at_once) look(from);
     while (ties_.count > 0) choose();
@@ -264,20 +264,20 @@ class LooksAtObbs {
     const LookBits place = place_of(axes);
     const LookBits verdict = hn::And(bits, all_bits(AxesLook::overlapping | AxesLook::apart));
     const LookBits along = hn::ShiftLeft<24>(hn::And(hn::Shr(along_faces, place), all_bits(1)));
-    const LookBits turns = hn::IfThenElseZero(mask_of(LookTag(), turned), all_bits(ObbsLook::turned));
+    const LookBits turns = hn::IfThenElseZero(mask_of(LookTag(), turned), all_bits(ObbAxisTest::turned));
     return hn::Or(hn::Or(place, verdict), hn::Or(along, turns));
   }
 
   /// The index of the lowest bit, or no_axis if there is none: the exponent of the bit as a float.
   HWY_INLINE static LookBits place_of(LookBits axes) {
-    const LookBits with_last = hn::Or(axes, all_bits(1U << ObbsLook::no_axis));
+    const LookBits with_last = hn::Or(axes, all_bits(1U << ObbAxisTest::no_axis));
     const LookBits lowest = hn::And(with_last, hn::Sub(hn::Zero(LookTag()), with_last));
     const auto number = hn::ConvertTo(Tag<float>(), hn::BitCast(hn::RebindToSigned<LookTag>(), lowest));
     return hn::Sub(hn::ShiftRight<23>(hn::BitCast(LookTag(), number)), all_bits(127));
   }
 
   HWY_INLINE void put(std::size_t from, std::size_t count, LookBits looks) {
-    static_assert(sizeof(ObbsLook) == sizeof(std::uint32_t));
+    static_assert(sizeof(ObbAxisTest) == sizeof(std::uint32_t));
     if (HWY_LIKELY(count == at_once)) {
       hn::StoreU(looks, LookTag(), &looks_[from].bits);
     } else {
@@ -317,12 +317,12 @@ class LooksAtObbs {
     const Bits axes = hn::PromoteTo(BitsTag(), hn::LoadU(HalfBitsTag(), &ties_.axes[from]));
     const Bits distinct = hn::AndNot(repeated_axes(boxes.box[0].axes, boxes.box[1].axes), axes);
     const SearchLanes found(boxes, hn::IfThenElse(hn::Eq(distinct, hn::Zero(BitsTag())), axes, distinct));
-    const Doubles place = hn::IfThenElse(found.is_open(), both(ObbsLook::no_axis), found.place());
+    const Doubles place = hn::IfThenElse(found.is_open(), both(ObbAxisTest::no_axis), found.place());
     alignas(64) std::array<std::uint32_t, pairs_at_once> chosen;
     hn::Store(axis_bits_of(place, hn::LoadU(HalfBitsTag(), &ties_.along_faces[from])), HalfBitsTag(), chosen.data());
     for (std::size_t lane = 0; lane < count; ++lane) {
       std::uint32_t& bits = looks_[ties_.pairs[from + lane]].bits;
-      bits = (bits & ~(ObbsLook::axis_bits | ObbsLook::along_face)) | chosen[lane];
+      bits = (bits & ~(ObbAxisTest::axis_bits | ObbAxisTest::along_face)) | chosen[lane];
     }
   }
 
@@ -357,7 +357,7 @@ class LooksAtObbs {
 
   std::span<const TwoObbs<T>> pairs_;
   FirstBox first_;
-  ObbsLook* looks_;
+  ObbAxisTest* looks_;
   Ties ties_;
 };
 

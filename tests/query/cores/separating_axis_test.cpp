@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <graze/math/pose.hpp>
-#include <graze/query/cores/parting_axis.hpp>
+#include <graze/query/cores/separating_axis.hpp>
 
 #include "catalogue.hpp"
 
@@ -16,15 +16,15 @@ using V3 = Vec<3, double>;
 using Edge = Segment<3, double>;
 
 template <class A, class B>
-PartingAxis<dimension_of<A>> parting_axis(const A& a, const B& b) {
-  PartingSearch<A, B> search(a, b, size_around_zero(a) + size_around_zero(b));
+SeparatingAxis<dimension_of<A>> separating_axis(const A& a, const B& b) {
+  SeparatingAxisSearch<A, B> search(a, b, size_around_zero(a) + size_around_zero(b));
   offer_faces(a, b, search);
   return search.best();
 }
 
 template <class A, class B, class V>
 void expect_axis(const A& a, const B& b, const V& normal, double gap) {
-  const auto axis = parting_axis(a, b);
+  const auto axis = separating_axis(a, b);
   EXPECT_NEAR(length(axis.normal - normal), 0, 1e-15);
   EXPECT_NEAR(axis.gap, gap, 1e-15);
 }
@@ -49,13 +49,13 @@ TEST(Directions, OfAFlatBoxAreItsAxes) {
   EXPECT_EQ(face_directions(plate).at(1), V3(-1, 0, 0));
 }
 
-TEST(PartingAxis, IsANormalOfTheNearestFace) {
+TEST(SeparatingAxis, IsANormalOfTheNearestFace) {
   expect_axis(cube, Aabb<3, double>{{-1, 0.5, -0.75}, {1, 2.5, 1.25}}, V3(0, 1, 0), -0.5);
   expect_axis(cube, V3(0.25, 0, -0.75), V3(0, 0, -1), -0.25);
   expect_axis(triangle, Edge{{1, 1, -1}, {1, 1, 5}}, V3(0, 0, 1), -1);
 }
 
-TEST(PartingAxis, MayBeTheCommonNormalOfTwoEdges) {
+TEST(SeparatingAxis, MayBeTheCommonNormalOfTwoEdges) {
   // Two roofs with crossing ridges.
   const Triangle<3, double> lower{{-2, 0, 0}, {2, 0, 0}, {0, 0, -9}};
   const Triangle<3, double> upper{{0, -2, -0.5}, {0, 2, -0.5}, {0, 0, 9}};
@@ -63,25 +63,25 @@ TEST(PartingAxis, MayBeTheCommonNormalOfTwoEdges) {
   expect_axis(Edge{{-1, 0, 0}, {1, 0, 0}}, Edge{{0, -1, 0}, {0, 1, 0}}, V3(0, 0, 1), 0);
 }
 
-TEST(PartingAxis, OfTheSameGapIsTheFirstOfferedThoughRoundingPrefersAnother) {
+TEST(SeparatingAxis, OfTheSameGapIsTheFirstOfferedThoughRoundingPrefersAnother) {
   const Obb<3, double> turned{{0, 1.5, 0}, {1, 1, 1}, rotation_matrix(V3(0, 1, 0), 30)};
-  const auto axis = parting_axis(oriented(cube), turned);
+  const auto axis = separating_axis(oriented(cube), turned);
   EXPECT_EQ(axis.normal, V3(0, 1, 0));
-  EXPECT_EQ(parting_axis(cube, cube).normal, V3(1, 0, 0));
+  EXPECT_EQ(separating_axis(cube, cube).normal, V3(1, 0, 0));
 }
 
-TEST(PartingAxis, OfWhatLiesOnOneLineIsStraightAcross) {
+TEST(SeparatingAxis, OfWhatLiesOnOneLineIsStraightAcross) {
   expect_axis(Edge{{0, 0, 0}, {0, 0, 4}}, Edge{{0, 0, 1}, {0, 0, 9}}, V3(0, 1, 0), 0);
   expect_axis(Edge{{0, 0, 0}, {0, 0, 4}}, V3(0, 0, 1), V3(0, 1, 0), 0);
   expect_axis(Segment<2, double>{{0, 0}, {2, 0}}, V2(1, 0), V2(0, -1), 0);
   expect_axis(V3(1, 2, 3), V3(1, 2, 3), V3(1, 0, 0), 0);
 }
 
-TEST(PartingAxis, DependsOnNoSize) {
+TEST(SeparatingAxis, DependsOnNoSize) {
   for (const double size : {1e-130, 1.0, 1e130}) {
     const Triangle<3, double> scaled{triangle.a * size, triangle.b * size, triangle.c * size};
     const Edge through{V3(1, 1, -1) * size, V3(1, 1, 5) * size};
-    const auto axis = parting_axis(scaled, through);
+    const auto axis = separating_axis(scaled, through);
     EXPECT_EQ(axis.normal, V3(0, 0, 1));
     EXPECT_NEAR(axis.gap / size, -1, 1e-15);
   }

@@ -73,7 +73,7 @@ inline auto face_directions(const Obb<3, double>& box) { return columns_of<3>(ad
 /// A unit direction and the gap along it: the height of the lowest point of b above the highest of a. Moving b by minus
 /// the gap along the direction makes the cores just touch.
 template <Dim N>
-struct PartingAxis {
+struct SeparatingAxis {
   Vec<N, double> normal = unit_axis<N>(0);
   double gap = -std::numeric_limits<double>::infinity();
 };
@@ -81,12 +81,12 @@ struct PartingAxis {
 /// Keeps the direction with the largest gap. Of gaps that differ by no more than rounding the first offered wins, so
 /// that faces, offered before pairs of edges, remain the answer between frames.
 template <class A, class B>
-class PartingSearch {
+class SeparatingAxisSearch {
  public:
   static constexpr Dim N = dimension_of<A>;
 
   /// `size` is that of both cores.
-  PartingSearch(const A& a, const B& b, double size)
+  SeparatingAxisSearch(const A& a, const B& b, double size)
       : a_(with_edges(a)), b_(with_edges(b)), margin_(tolerance::rounding * size) {}
 
   /// A direction of any length, and its opposite. Zero is ignored.
@@ -104,7 +104,7 @@ class PartingSearch {
     if (gap > best_.gap + margin_) best_ = {ahead >= behind ? normal : -normal, gap};
   }
 
-  const PartingAxis<N>& best() const { return best_; }
+  const SeparatingAxis<N>& best() const { return best_; }
 
  private:
   using EdgedA = std::decay_t<decltype(with_edges(std::declval<const A&>()))>;
@@ -131,7 +131,7 @@ class PartingSearch {
   EdgedA a_;
   EdgedB b_;
   double margin_;
-  PartingAxis<N> best_;
+  SeparatingAxis<N> best_;
 };
 
 /// Offers every normal direction of the Minkowski difference of two cores: the normals of their faces and, in 3D, the
@@ -139,7 +139,7 @@ class PartingSearch {
 /// edges are parallel the difference has no faces; then the perpendicular direction is used, and for points direction
 /// x.
 template <class A, class B>
-void offer_faces(const A& a, const B& b, PartingSearch<A, B>& search) {
+void offer_faces(const A& a, const B& b, SeparatingAxisSearch<A, B>& search) {
   constexpr Dim N = dimension_of<A>;
   for (const auto& direction : face_directions(a)) search.offer(direction);
   for (const auto& direction : face_directions(b)) search.offer(direction);
@@ -187,7 +187,7 @@ Triangle<N, double> moved_by(const Triangle<N, double>& triangle, const Vec<N, d
 
 /// Moving b along the axis until the cores just touch shows the contact points.
 template <class A, class B>
-ClosestPair<dimension_of<A>> points_along(const A& a, const B& b, const PartingAxis<dimension_of<A>>& axis,
+ClosestPair<dimension_of<A>> points_along(const A& a, const B& b, const SeparatingAxis<dimension_of<A>>& axis,
                                           double size) {
   const Vec<dimension_of<A>, double> way = axis.normal * -axis.gap;
   ClosestPair<dimension_of<A>> pair = closest_of_touching(a, moved_by(b, way), axis.normal, size);
