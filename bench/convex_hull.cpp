@@ -26,9 +26,9 @@
 #include <graze/shape/polytope.hpp>
 #include <graze/shape/segment.hpp>
 
-#include "convex_hull/crowds.hpp"
 #include "convex_hull/of_cgal.hpp"
 #include "convex_hull/of_qhull.hpp"
+#include "convex_hull/point_clouds.hpp"
 #include "ratios.hpp"
 
 namespace {
@@ -147,7 +147,7 @@ bool add_cgal(const std::string& name, const Hull<2>& hull, const std::shared_pt
 
 /// Whether all agree about the hull.
 template <Dim N>
-bool register_crowd(PointCloud cluster, std::size_t count) {
+bool register_cloud(PointCloud cluster, std::size_t count) {
   const auto points = std::make_shared<const Points<N>>(graze::hull_bench::points_of<N>(cluster, count));
   const std::string name = std::string(name_of(cluster, N)) + ", " + std::to_string(count);
   const Hull<N> hull = graze::convex_hull(*points);
@@ -167,12 +167,12 @@ bool register_crowd(PointCloud cluster, std::size_t count) {
 int main(int argc, char** argv) {
   bool do_agree = true;
   for (const std::size_t count : {1000UL, 10000UL, 100000UL, 1000000UL}) {
-    for (const PointCloud cluster : graze::hull_bench::all_crowds) {
-      do_agree = register_crowd<2>(cluster, count) && do_agree;
-      do_agree = register_crowd<3>(cluster, count) && do_agree;
+    for (const PointCloud cluster : graze::hull_bench::all_clouds) {
+      do_agree = register_cloud<2>(cluster, count) && do_agree;
+      do_agree = register_cloud<3>(cluster, count) && do_agree;
     }
-    for (const PointCloud cluster : graze::hull_bench::space_crowds)
-      do_agree = register_crowd<3>(cluster, count) && do_agree;
+    for (const PointCloud cluster : graze::hull_bench::clouds_of_3d)
+      do_agree = register_cloud<3>(cluster, count) && do_agree;
   }
   if (!do_agree) return 1;
   return graze::bench::run_races(argc, argv);

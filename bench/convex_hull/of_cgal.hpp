@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "../bench/convex_hull/crowds.hpp"
+#include "../bench/convex_hull/point_clouds.hpp"
 
 namespace graze::hull_bench {
 

@@ -13,7 +13,7 @@ extern "C" {
 
 #include <graze/shape/hull/lexicographic.hpp>
 
-#include "../bench/convex_hull/crowds.hpp"
+#include "../bench/convex_hull/point_clouds.hpp"
 
 namespace graze::hull_bench {
 

@@ -114,8 +114,8 @@ inline constexpr double gjk_relative_gap = 1e-12;
 /// four roundings, and the difference and its projection on a unit normal about as many again.
 inline constexpr double convex = 32 * epsilon;
 
-/// Bounds the error of the height of a point over a face of EPA's hull: this times the largest coordinate times (1 + 1 /
-/// the sine of the angle between two sides of the face). Rounded sides turn the normal by 4 epsilon / sine, which
+/// Bounds the error of the height of a point over a face of EPA's hull: this times the largest coordinate times (1 + 1
+/// / the sine of the angle between two sides of the face). Rounded sides turn the normal by 4 epsilon / sine, which
 /// matters for points up to four times that coordinate away; doubled.
 inline constexpr double growing_hull = 32 * epsilon;
 

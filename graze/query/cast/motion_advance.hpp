@@ -270,8 +270,8 @@ inline double least_between(double g, double h, double c) {
 /// the Illinois algorithm: Dowell, Jarratt, "A modified regula falsi method", 1971) or every third time by bisection,
 /// until little of it remains.
 template <Dim N, class Pair>
-Moment moment_parted(const Pair& pair, const Trajectory<N>& trajectory, const Moment& now,
-                     const GapState<N>& state, double goal) {
+Moment moment_parted(const Pair& pair, const Trajectory<N>& trajectory, const Moment& now, const GapState<N>& state,
+                     double goal) {
   constexpr int step_limit = 96;
   const GapInTime<N, Pair> gap(pair, trajectory, state.normal);
   const double spare = state.gap - goal;
@@ -347,8 +347,7 @@ std::optional<CastHit<N>> advance_to_impact(Pair pair, const Trajectory<N>& traj
   const Pose<N, double> back = trajectory.pose_of_b(now);
   const Vec<N, double> point = pair.point_at(pose_of_a, state.normal, radius_b);
   return CastHit<N>{now.t, back.rotation * point + back.position, back.rotation * state.normal,
-                    has_arrived && is_near ? Status::converged : Status::best_bound,
-                    state.distance + state.resolution};
+                    has_arrived && is_near ? Status::converged : Status::best_bound, state.distance + state.resolution};
 }
 
 }  // namespace graze::detail

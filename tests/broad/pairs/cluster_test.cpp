@@ -11,7 +11,7 @@
 
 #include "broad/box_worlds.hpp"
 
-namespace graze::detail::crowd_test {
+namespace graze::detail::cluster_test {
 namespace {
 
 template <Dim N>
@@ -22,7 +22,7 @@ struct Points {
 };
 
 template <Dim N>
-std::vector<std::uint32_t> sorted_crowd(const std::vector<Vec<N, double>>& points, std::size_t small) {
+std::vector<std::uint32_t> sorted_cluster(const std::vector<Vec<N, double>>& points, std::size_t small) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::vector<std::uint16_t> cells(points.size());
@@ -57,7 +57,7 @@ TEST(PointCloud, OfEvenlySpreadPointsBecomesSmallPieces) {
   test::Numbers numbers(1);
   std::vector<Vec<3, double>> points;
   for (int i = 0; i < 20000; ++i) points.push_back(numbers.point<3, double>(0, 100));
-  const auto order = sorted_crowd(points, 64);
+  const auto order = sorted_cluster(points, 64);
   EXPECT_TRUE(is_permutation_of_all(order));
   // Cubes that contain 64 of the 20,000 points would have a side of 14.7; unsorted it is 97.
   EXPECT_LT(mean_side(points, order, 64), 30);
@@ -71,14 +71,14 @@ TEST(PointCloud, OfCloudsWithinCloudsBecomesSmallPiecesToo) {
     points.push_back(Vec<3, double>(i % 100) * 1e-3 + numbers.point<3, double>(-1e-7, 1e-7));
   }
   points.push_back(Vec<3, double>(1e6));
-  const auto order = sorted_crowd(points, 64);
+  const auto order = sorted_cluster(points, 64);
   EXPECT_TRUE(is_permutation_of_all(order));
   EXPECT_LT(mean_side(points, order, 16), 1e-4);
 }
 
 TEST(PointCloud, OfEqualPointsKeepsItsOrder) {
   const std::vector<Vec<2, double>> points(5000, Vec<2, double>(3));
-  const auto order = sorted_crowd(points, 16);
+  const auto order = sorted_cluster(points, 16);
   EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
 }
 
@@ -86,14 +86,14 @@ TEST(PointCloud, WhoseGridsNeverDivideItIsSortedAllTheSame) {
   // Each point is a thousand times nearer to the origin than the previous one: any grid has almost all in one cell.
   std::vector<Vec<2, double>> points;
   for (int i = 0; i < 90; ++i) points.push_back(Vec<2, double>(std::pow(10.0, -3 * i), 0));
-  const auto order = sorted_crowd(points, 4);
+  const auto order = sorted_cluster(points, 4);
   for (std::size_t k = 1; k < order.size(); ++k) EXPECT_EQ(order[k], order[k - 1] - 1);
 }
 
 TEST(PointCloud, OfAFewIsLeftAsItIs) {
   const std::vector<Vec<2, double>> points{{3, 3}, {1, 1}, {2, 2}};
-  EXPECT_EQ(sorted_crowd(points, 3), (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(sorted_cluster(points, 3), (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
 }  // namespace
-}  // namespace graze::detail::crowd_test
+}  // namespace graze::detail::cluster_test

@@ -9,7 +9,7 @@
 
 #include "broad/box_worlds.hpp"
 
-namespace graze::detail::near_crowd_test {
+namespace graze::detail::near_cluster_test {
 namespace {
 
 template <Dim N, class T>
@@ -62,4 +62,4 @@ TEST(NearCluster, OfNoneIsNone) {
 }
 
 }  // namespace
-}  // namespace graze::detail::near_crowd_test
+}  // namespace graze::detail::near_cluster_test

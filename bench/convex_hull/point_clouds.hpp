@@ -32,11 +32,11 @@ enum class PointCloud {
   on_cylinder_lines,
 };
 
-inline constexpr std::array all_crowds = {PointCloud::on_sphere,    PointCloud::in_ball,    PointCloud::in_cube,
+inline constexpr std::array all_clouds = {PointCloud::on_sphere,    PointCloud::in_ball,    PointCloud::in_cube,
                                           PointCloud::gaussian,     PointCloud::on_lines,   PointCloud::grid,
                                           PointCloud::decimal_grid, PointCloud::turned_grid};
 
-inline constexpr std::array space_crowds = {PointCloud::on_cube, PointCloud::on_cube_edges,
+inline constexpr std::array clouds_of_3d = {PointCloud::on_cube, PointCloud::on_cube_edges,
                                             PointCloud::on_cylinder_lines};
 
 inline const char* name_of(PointCloud cluster, Dim dimension) {
