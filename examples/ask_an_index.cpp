@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <graze/broad/scene_generators.hpp>
 #include <graze/graze.hpp>
 
 using Box = graze::Aabb<2>;

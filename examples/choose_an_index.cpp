@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <vector>
 
+#include <graze/broad/scene_generators.hpp>
 #include <graze/graze.hpp>
 
 using Box = graze::Aabb<3>;

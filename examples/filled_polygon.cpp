@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <graze/graze.hpp>
+#include <graze/query/filled_parts.hpp>
 #include <graze/query/union_outline.hpp>
 
 using Point = graze::Vec<2, double>;

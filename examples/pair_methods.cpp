@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/scene_generators.hpp>
 #include <graze/graze.hpp>
 
 int main(int argc, char** argv) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/scene_generators.hpp>
 #include <graze/graze.hpp>
 #include <graze/io/recording.hpp>
 

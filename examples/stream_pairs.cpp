@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/scene_generators.hpp>
 #include <graze/graze.hpp>
 
 int main() {

@@ -149,7 +149,7 @@ Mat<3, double> rotation_from_quaternion(const Q& quaternion) {
   if (!is_finite(v) || !std::isfinite(w)) {
     GRAZE_THROW(std::invalid_argument("rotation_from_quaternion: the quaternion has a number that is not finite"));
   }
-  const double scale = detail::scale_to_moderate(std::fmax(max_abs(v), std::fabs(w)));
+  const double scale = scale_to_moderate(std::fmax(max_abs(v), std::fabs(w)));
   v *= scale;
   w *= scale;
   const double square = dot(v, v) + w * w;

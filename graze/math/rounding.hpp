@@ -62,8 +62,6 @@ inline Rounded two_product(double a, double b) {
 #endif
 }
 
-namespace detail {
-
 /// a * b - c * d with a relative error of at most two epsilon, however much cancels. Swapping the products negates the
 /// result exactly, and a zero result is exact. The products must not overflow or underflow.
 inline double difference_of_products(double a, double b, double c, double d) {
@@ -89,6 +87,8 @@ Vec<N, double> of_moderate_size(const Vec<N, double>& direction) {
   return direction * scale_to_moderate(max_abs(direction));
 }
 
+namespace detail {
+
 /// For products of at least this magnitude, `two_product` loses no error bits. A product spans at most 106 bits, and
 /// those below 2^-1074, the least double, are lost.
 inline constexpr double least_product_with_error = 0x1p-969;
@@ -98,14 +98,14 @@ inline constexpr double least_product_with_error = 0x1p-969;
 /// The 2D cross product, a number, with a relative error of at most two epsilon. Its sign is right even for nearly
 /// parallel vectors, where `cross_2d` returns mostly rounding error.
 inline double accurate_cross(const Vec<2, double>& a, const Vec<2, double>& b) {
-  return detail::difference_of_products(a.x, b.y, a.y, b.x);
+  return difference_of_products(a.x, b.y, a.y, b.x);
 }
 
 /// The 3D cross product, each coordinate with a relative error of at most two epsilon. So its direction is right even
 /// for nearly parallel vectors, where `cross` returns mostly rounding error; `cross` is cheaper.
 inline Vec<3, double> accurate_cross(const Vec<3, double>& a, const Vec<3, double>& b) {
-  return {detail::difference_of_products(a.y, b.z, a.z, b.y), detail::difference_of_products(a.z, b.x, a.x, b.z),
-          detail::difference_of_products(a.x, b.y, a.y, b.x)};
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 /// The next larger number, as std::nextafter returns it but faster. Minus infinity gives the lowest finite number; plus

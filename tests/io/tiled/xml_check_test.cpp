@@ -35,9 +35,9 @@ TEST(XmlCheck, RefusesASecondRootAndTextAroundTheFirst) {
       error_of("<a>\n</a>\n<b/>"),
       "f.tmx: line 3, column 1: element \"b\" is a second root; the first begins in line 1, and a file has only one");
   EXPECT_EQ(error_of("<a/>\n  garbage\n"),
-            "f.tmx: line 2, column 3: \"garbage\" stands after the root element, where XML allows no text; remove it");
+            "f.tmx: line 2, column 3: \"garbage\" appears after the root element, where XML allows no text; remove it");
   EXPECT_EQ(error_of("x<a/>"),
-            "f.tmx: line 1, column 1: \"x\" stands before the root element, where XML allows no text; remove it");
+            "f.tmx: line 1, column 1: \"x\" appears before the root element, where XML allows no text; remove it");
   EXPECT_EQ(error_of("<?xml version='1.0'?>\n<?xml version='1.0'?><a/>"),
             "f.tmx: line 2, column 1: an XML declaration is only allowed at the beginning of a file; "
             "remove it");

@@ -212,7 +212,7 @@ TEST(TiledXml, RefusesWhatIsNoXmlToOthers) {
     <map><objectgroup name="&b;"/></map>)")
                 .find("the entity \"&b;\" is not supported"),
             std::string::npos);
-  EXPECT_NE(error_of("<map/>\ngarbage").find("m.tmx: line 2, column 1: \"garbage\" stands after"), std::string::npos);
+  EXPECT_NE(error_of("<map/>\ngarbage").find("m.tmx: line 2, column 1: \"garbage\" appears after"), std::string::npos);
   EXPECT_NE(error_of("<map/>\n<map/>").find("second root"), std::string::npos);
   EXPECT_NE(object_error("x='1' x='2'").find("the attribute \"x\" is given twice"), std::string::npos);
 }
