@@ -60,7 +60,7 @@ class Main(CommandLineTest):
         self.assertEqual(options_in(page), known)
 
     def test_the_page_documents_every_exit_code_of_the_help(self):
-        codes = re.findall(r"\b(\d+) (?=done|contact|wrong|bad|a fault)", self.help_of())
+        codes = re.findall(r"\b(\d+) (?=done|contact|wrong|bad|internal)", self.help_of())
         self.assertEqual(codes, ["0", "1", "2", "3", "70"])
         page = (ROOT / "docs" / "cli.md").read_text()
         for code in codes:
