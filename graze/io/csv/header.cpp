@@ -143,9 +143,9 @@ class HeaderReader {
   }
 
   InputError missing(std::string_view name, std::optional<std::string_view> nearest) const {
-    const std::string minimum_translation =
+    const std::string remedy =
         nearest ? fmt::format("is it the one called {}?", in_quotes(*nearest)) : std::string(all_columns);
-    return text_.error(fields_.front(), fmt::format("there is no column {}; {}", in_quotes(name), minimum_translation));
+    return text_.error(fields_.front(), fmt::format("there is no column {}; {}", in_quotes(name), remedy));
   }
 
   /// Without an id column, objects are named by their number, but a column "ID" was probably meant as one.

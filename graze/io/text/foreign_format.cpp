@@ -26,7 +26,7 @@ constexpr std::string_view export_map = "give the map itself (.tmx), or export i
 struct KnownFormat {
   std::string_view sign;
   std::string_view what;
-  std::string_view minimum_translation;
+  std::string_view remedy;
 };
 
 /// Recognised by the first bytes.
@@ -110,7 +110,7 @@ constexpr std::array json_signs = {
     KnownFormat{R"("meshes":[)", "a mesh in glTF", write_polytopes}};
 
 std::string sentence(const KnownFormat& format) {
-  return fmt::format("this is {}; {}", format.what, format.minimum_translation);
+  return fmt::format("this is {}; {}", format.what, format.remedy);
 }
 
 /// The name of the first element after declarations, comments and document types.
