@@ -36,8 +36,8 @@ AnyShape<N, T> moved(AnyShape<N, T> shape, const Vec<N, T>& offset) {
   const auto move = [&offset](auto& held) {
     detail::for_each_field(held, [&]<class Field>(const Field&, auto& value) {
       if constexpr (Field::kind == detail::FieldKind::point) value += offset;
-      if constexpr (Field::kind == detail::FieldKind::offset) value += dot(held.normal, offset);
     });
+    if constexpr (requires { held.normal; }) held.offset += dot(held.normal, offset);
   };
   detail::visit(move, shape);
   return shape;
