@@ -89,18 +89,16 @@ class EveryQuery(unittest.TestCase):
         includes = "".join(f"#include <{path.relative_to(ROOT)}>\n" for path in headers)
         self.assertEqual(compile_text(includes + self.text, *WARNINGS, compiler="g++-11"), "")
 
+    # Options that do not affect each other are tried together: each compilation makes every query of every two shapes.
+
     def test_without_vectors_of_the_language(self):
-        self.assertEqual(compile_text(self.text, *WARNINGS, "-DGRAZE_NO_LANES"), "")
+        self.assertEqual(compile_text(self.text, *WARNINGS, "-DGRAZE_NO_LANES", "-DGLM_FORCE_XYZW_ONLY"), "")
 
-    def test_without_exceptions_and_type_information(self):
-        self.assertEqual(compile_text(self.text, *WARNINGS, "-fno-exceptions", "-fno-rtti"), "")
-
-    def test_with_the_macros_of_glm(self):
+    def test_without_exceptions_and_type_information_and_with_the_macros_of_glm(self):
         macros = [f"-DGLM_FORCE_{name}" for name in (
             "INTRINSICS", "DEFAULT_ALIGNED_GENTYPES", "SWIZZLE", "SIZE_T_LENGTH", "EXPLICIT_CTOR", "UNRESTRICTED_GENTYPE",
             "LEFT_HANDED", "DEPTH_ZERO_TO_ONE", "QUAT_DATA_XYZW", "PRECISION_MEDIUMP_FLOAT", "INLINE", "SILENT_WARNINGS")]
-        self.assertEqual(compile_text(self.text, *macros), "")
-        self.assertEqual(compile_text(self.text, "-DGLM_FORCE_XYZW_ONLY"), "")
+        self.assertEqual(compile_text(self.text, "-fno-exceptions", "-fno-rtti", *macros), "")
 
 
 class Run(unittest.TestCase):

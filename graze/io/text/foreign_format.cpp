@@ -109,9 +109,7 @@ constexpr std::array json_signs = {
     KnownFormat{R"("asset":{)", "a mesh in glTF", write_polytopes},
     KnownFormat{R"("meshes":[)", "a mesh in glTF", write_polytopes}};
 
-std::string sentence(const KnownFormat& format) {
-  return fmt::format("this is {}; {}", format.what, format.remedy);
-}
+std::string sentence(const KnownFormat& format) { return fmt::format("this is {}; {}", format.what, format.remedy); }
 
 /// The name of the first element after declarations, comments and document types.
 std::string_view root_name(std::string_view text) {

@@ -120,8 +120,8 @@ void fail_for_kind(const TiledText& file, std::size_t offset, std::string_view f
   const std::string what =
       other_kind ? fmt::format("a Tiled {}", found) : fmt::format("of the kind {}", in_quotes(found));
   const std::string_view remedy = needed != "map" ? "check the reference to it"
-                                               : other_kind    ? "give the map (.tmx or .tmj) that uses it"
-                                                               : "give a .tmx or .tmj file";
+                                  : other_kind    ? "give the map (.tmx or .tmj) that uses it"
+                                                  : "give a .tmx or .tmj file";
   fail_at(file, offset, fmt::format("the file is {}, but a Tiled {} is needed; {}", what, needed, remedy));
 }
 
