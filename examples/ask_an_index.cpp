@@ -13,9 +13,11 @@ using Box = graze::Aabb<2>;
 template <graze::SpatialIndex I>
 std::vector<std::size_t> ask(I index) {
   std::vector<graze::Key> keys;
-  for (int i = 0; i < 100; ++i) {
-    const graze::Vec<2> center(static_cast<float>(i % 10) * 3, static_cast<float>(i / 10) * 3);
-    keys.push_back(index.insert(Box::from_center(center, {1, 1})));
+  for (int row = 0; row < 10; ++row) {
+    for (int column = 0; column < 10; ++column) {
+      const graze::Vec<2> center(static_cast<float>(column) * 3, static_cast<float>(row) * 3);
+      keys.push_back(index.insert(Box::from_center(center, {1, 1})));
+    }
   }
   index.update(keys[0], Box{{2, 2}, {4, 4}});  // onto its neighbour
   index.erase(keys[99]);

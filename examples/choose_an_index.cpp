@@ -6,8 +6,6 @@
 #include <graze/broad/scene_generators.hpp>
 #include <graze/graze.hpp>
 
-using Box = graze::Aabb<3>;
-
 /// Whether an index answers as the one that looks at every box.
 template <graze::SpatialIndex I>
 bool agrees(const char* name, const I& index, const graze::BruteForce<3>& judge) {
@@ -25,7 +23,7 @@ int main() {
   const graze::MovingBoxes<3> world(graze::World::brownian, 20'000, 1);
 
   graze::BruteForce<3> judge;
-  for (const Box& box : world.boxes()) judge.insert(box);
+  for (const auto& box : world.boxes()) judge.insert(box);
 
   // Answers fastest. The margin saves updates while boxes move a little.
   graze::Bvh<3> bvh(graze::BvhOptions{.margin = 0.5});
@@ -38,7 +36,7 @@ int main() {
 
   // Cells of one size for each size of boxes.
   graze::Grid<3> grid(graze::GridOptions{.smallest_cell = 2});
-  for (const Box& box : world.boxes()) grid.insert(box);
+  for (const auto& box : world.boxes()) grid.insert(box);
 
   std::printf("margin %g, capacity %zu, smallest cell %g\n", bvh.options().margin, octree.options().capacity,
               grid.options().smallest_cell);
@@ -46,9 +44,9 @@ int main() {
                          agrees("Octree", octree, judge) && agrees("Grid", grid, judge);
 
   // What is far off or infinite is in no cell, but found like the rest.
-  octree.insert(Box::everything());
+  octree.insert(graze::Aabb<3>::everything());
   std::printf("%zu of %zu boxes are in no cell\n", octree.outside() + grid.outside(), octree.size() + grid.size());
-  const bool is_found = graze::count(octree, Box::everything()) == octree.size();
+  const bool is_found = graze::count(octree, graze::Aabb<3>::everything()) == octree.size();
 
   // clear() erases all boxes; their keys are never valid again.
   bvh.clear();

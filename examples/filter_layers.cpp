@@ -27,8 +27,9 @@ int main() {
   scene.add(graze::Rect<>{{-1, -2}, {2, -0.5F}}, of_walls);
   scene.add(graze::Rect<>{{1, -2}, {3, 2}}, of_walls);  // overlaps the other wall, but both are fixed
 
-  for (graze::Layer a = 0; a < scene.layer_names().size(); ++a) {
-    for (graze::Layer b = 0; b <= a; ++b) {
+  for (const graze::Layer a : {heroes, shots, walls}) {
+    for (const graze::Layer b : {heroes, shots, walls}) {
+      if (b > a) continue;
       std::printf("%s and %s %s\n", scene.layer_names()[a].c_str(), scene.layer_names()[b].c_str(),
                   rules.can_touch(a, b) ? "can touch" : "pass through each other");
     }

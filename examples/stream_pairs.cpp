@@ -49,8 +49,8 @@ int main() {
     return true;
   });
   std::printf("%zu pairs of the first hundred boxes\n", of_first);
-  return found_again == found && squares.back() == 99 * 99 && found == expected && ascend && of_first > 0 &&
-                 of_first < found
+  return found_again == found && squares.back() == std::size_t{99} * 99 && found == expected && ascend &&
+                 of_first > 0 && of_first < found
              ? 0
              : 1;
 }
