@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be asked of a scene beside its pairs, and a judge that asks every object to check the answers.
+// The queries of a scene besides its pairs, checked against a brute-force scene.
 #include <cstdio>
 #include <optional>
 #include <vector>
@@ -7,7 +7,7 @@
 #include <graze/graze.hpp>
 #include <graze/scene/plain_scene.hpp>
 
-/// Both kinds of scenes have the same calls.
+/// Both kinds of scenes have the same member functions.
 template <class S>
 graze::ObjectId fill(S& scene) {
   scene.add(graze::HalfSpace<3>{{0, 0, 1}, 0}, {.name = "floor"});

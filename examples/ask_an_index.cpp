@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that an index of boxes can be asked, in one function that takes any index. All give the same answers.
+// All queries of an index of boxes, in one function that takes any index. All indexes give the same results.
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -9,7 +9,7 @@
 
 using Box = graze::Aabb<2>;
 
-/// The numbers of the answers, which do not depend on the index.
+/// The numbers of results, which do not depend on the index.
 template <graze::SpatialIndex I>
 std::vector<std::size_t> ask(I index) {
   std::vector<graze::Key> keys;
@@ -26,7 +26,7 @@ std::vector<std::size_t> ask(I index) {
   std::size_t in_ball = 0;
   index.query(graze::Circle<>{{9, 9}, 4}, [&in_ball](graze::Key) { ++in_ball; });
 
-  // A ray meets boxes in order.
+  // A ray hits boxes in order.
   std::vector<std::pair<graze::Key, double>> hits;
   index.ray_cast(graze::Ray<2>{{-5, 9}, {1, 0}}, [&hits](graze::Key key, double t) {
     hits.emplace_back(key, t);
@@ -42,7 +42,7 @@ std::vector<std::size_t> ask(I index) {
   return {in_ball, hits[2].first.index, nearest.key.index, pairs, knows_keys ? index.size() : 0};
 }
 
-/// How many cells an index has made, for pictures.
+/// The number of cells of an index, which can be drawn.
 template <class I>
 std::size_t cells_of(const graze::MovingBoxes<2>& world) {
   I index;

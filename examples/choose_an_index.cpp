@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The same boxes in each index. The answers are equal, whatever the options; time and memory are not.
+// The same boxes in each index. Results do not depend on the index or its options; time and memory do.
 #include <cstdio>
 #include <vector>
 
 #include <graze/broad/scene_generators.hpp>
 #include <graze/graze.hpp>
 
-/// Whether an index answers as the one that looks at every box.
+/// Whether an index gives the same results as brute force.
 template <graze::SpatialIndex I>
 bool agrees(const char* name, const I& index, const graze::BruteForce<3>& judge) {
   const graze::Sphere<3> region{{0, 0, 0}, 10};
@@ -25,16 +25,16 @@ int main() {
   graze::BruteForce<3> judge;
   for (const auto& box : world.boxes()) judge.insert(box);
 
-  // Answers fastest. The margin saves updates while boxes move a little.
+  // The fastest queries. The margin saves work while boxes move only a little.
   graze::Bvh<3> bvh(graze::BvhOptions{.margin = 0.5});
   const std::vector<graze::Key> keys = bvh.assign(world.boxes());
   bvh.update(keys[0], bvh.box(keys[0]));
 
-  // Cells that split where boxes are many.
+  // Cells that split where there are many boxes.
   graze::Octree<> octree({.capacity = 16, .max_depth = 12});
   octree.assign(world.boxes());
 
-  // Cells of one size for each size of boxes.
+  // Cells of one size for boxes of about the same size.
   graze::Grid<3> grid(graze::GridOptions{.smallest_cell = 2});
   for (const auto& box : world.boxes()) grid.insert(box);
 
@@ -43,7 +43,7 @@ int main() {
   const bool all_agree = agrees("BruteForce", judge, judge) && agrees("Bvh", bvh, judge) &&
                          agrees("Octree", octree, judge) && agrees("Grid", grid, judge);
 
-  // What is far off or infinite is in no cell, but found like the rest.
+  // Boxes that are far away or infinite are in no cell, but are found like the others.
   octree.insert(graze::Aabb<3>::everything());
   std::printf("%zu of %zu boxes are in no cell\n", octree.outside() + grid.outside(), octree.size() + grid.size());
   const bool is_found = graze::count(octree, graze::Aabb<3>::everything()) == octree.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far apart two shapes are, where they are nearest, and how deep they are in each other; and how exact that is.
+// The distance of two shapes, their closest points, the depth of an overlap, and how accurate each of these is.
 #include <cmath>
 #include <cstdio>
 
@@ -8,7 +8,7 @@
 using Vec3 = graze::Vec<3, double>;
 
 int main() {
-  // A closed form: exact to a few units in the last place of a double.
+  // A closed form: accurate to a few units in the last place of a double.
   const graze::Capsule<3, double> arm{{0, 0, 2}, {3, 0, 2}, 0.5};
   const graze::Obb<3, double> crate = graze::Obb<3, double>::from_axis_angle({5, 0, 0}, {1, 1, 1}, {0, 1, 0}, 0.5);
   const auto nearest = graze::closest_points(arm, crate);
@@ -21,14 +21,14 @@ int main() {
   const graze::GjkResult<3> apart = graze::gjk(stone, graze::Sphere<3, double>{{4, 4, 0}, 1});
   std::printf("the distance is between %.12f and %.12f\n", apart.lower, apart.upper);
 
-  // Where they meet, EPA goes on from where GJK has ended, to the depth.
+  // If they overlap, EPA continues from the result of GJK and finds the depth.
   const graze::Sphere<3, double> ball{{1, 1, 1}, 0.5};
   const graze::GjkResult<3> met = graze::gjk(stone, ball);
   const graze::EpaResult<3> depth = graze::epa(stone, ball, met.simplex);
   std::printf("the depth is between %.6f and %.6f: %s\n", depth.lower, depth.upper,
               depth.status == graze::Status::converged ? "as exact as it gets" : "the best bounds found");
 
-  // How high a point is above the ground.
+  // The height of a point above the ground.
   const graze::HalfSpace<3, double> ground{{0, 0, 2}, 1};  // z <= 0.5; the normal may have any length
   const graze::Plane<3, double> surface = graze::unit_plane(graze::boundary(ground));
   const double height = dot(surface.normal, nearest.point_b) - surface.offset;

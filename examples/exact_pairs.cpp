@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two phases by hand, for shapes that no scene holds: boxes that overlap, then the exact test of those candidates.
+// Both phases by hand, without a scene: overlapping boxes first, then the exact test of these candidates.
 #include <cstdio>
 #include <vector>
 
@@ -30,11 +30,11 @@ int main() {
                 graze::type_name(shapes[candidates[i].b]).data(), candidates[i].b, graze::name_of(verdicts[i]).data());
   }
 
-  // Or only those that meet.
+  // Or only those that intersect.
   const std::vector<graze::Pair> pairs = graze::touching_pairs<3, float>(shapes, candidates);
   std::printf("%zu candidates, %zu pairs\n", candidates.size(), pairs.size());
 
-  // Or where they meet, too.
+  // Or also where they touch.
   const std::vector<graze::PairContact<3>> contacts = graze::contacts(shapes, pairs);
   for (const graze::PairContact<3>& contact : contacts) {
     std::printf("%u and %u touch at %zu points\n", contact.pair.a, contact.pair.b, contact.manifold.points.size());

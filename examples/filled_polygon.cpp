@@ -38,7 +38,7 @@ int main() {
   }
   std::printf("the star has an area of %.3f in %zu convex parts\n", area, parts->size());
 
-  // A shape that can be asked like any other: its middle is filled, the notch between two points is not.
+  // A shape for any query: its middle is filled, the notch between two points is not.
   const auto solid = graze::compound_of<2, double>(shapes);
   const bool has_middle = graze::contains(solid, Point(0, 0));
   const bool has_notch = graze::contains(solid, Point(0, -5));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers and masks: which objects are asked about at all, before any shape is looked at.
+// Layers and masks: which pairs of objects are tested at all.
 #include <cstdio>
 #include <span>
 
@@ -15,7 +15,7 @@ int main() {
   rules.part(heroes, shots);
   rules.part(heroes, heroes);
   rules.part(shots, shots);
-  rules.join(heroes, heroes);  // changed our mind: heroes block each other
+  rules.join(heroes, heroes);  // undoes the second line: heroes block each other
 
   const auto add = [&](const char* name, graze::Layer layer, const graze::Circle<>& circle) {
     return scene.add(circle, {.name = name, .layer = layer, .mask = rules.mask_of(layer)});
@@ -35,7 +35,7 @@ int main() {
     }
   }
 
-  // Pairs that may touch and whose boxes overlap, by the block.
+  // Pairs that may touch and whose boxes overlap, in blocks.
   std::size_t candidates = 0;
   graze::visit_candidates(scene, [&](std::span<const graze::ObjectPair> block) {
     candidates += block.size();
@@ -43,7 +43,7 @@ int main() {
   });
   std::printf("%zu candidates, %zu pairs\n", candidates, scene.pairs().size());
 
-  // The same rules for code that asks by itself.
+  // The same rules for single pairs.
   const graze::Object<2>& hero = scene.object(ann);
   const bool rules_hold = graze::may_touch(hero, scene.object(ben)) && !graze::may_touch(hero, scene.object(shot)) &&
                           !graze::filters_admit(shots, rules.mask_of(shots), heroes, rules.mask_of(heroes));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Saves a scene in a format of your own. What names objects from outside, an index and a generation, means the same in
-// the scene that goes on, and the next object gets the same id in both.
+// Saves a scene in a format of your own. The index and generation of an object are the same in the loaded scene, and
+// the next object gets the same id in both.
 #include <cstdio>
 #include <vector>
 
@@ -24,7 +24,7 @@ Saved save(const graze::Scene<2>& scene) {
 graze::Scene<2> load(const Saved& saved) {
   graze::Scene<2> scene;
   scene.plan_ids(saved.ids, saved.vacant);  // before the first `add`
-  // The corners keep their numbers, by which contacts name them; convex_hull sorts them.
+  // The vertices keep their numbers, which contacts refer to; convex_hull would sort them.
   for (const auto& corners : saved.corners) scene.add(graze::convex_hull_in_order(corners));
   return scene;
 }

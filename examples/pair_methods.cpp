@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every method finds the same pairs as the plain double loop. usage: pair_methods [WORLD [METHOD]]
+// Every method finds the same pairs as a double loop. Usage: pair_methods [WORLD [METHOD]]
 #include <algorithm>
 #include <cstdio>
 #include <optional>

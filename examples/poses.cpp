@@ -26,7 +26,7 @@ int main() {
   std::printf("the door is %.1f wide along y; the knob goes to (%.1f, %.1f, %.1f)\n", 2 * edges[0].y, knob_when_open.x,
               knob_when_open.y, knob_when_open.z);
 
-  // Half of the way from closed to open. Shapes are given as they are at the start.
+  // Halfway from closed to open. The shape is the one at the start.
   const graze::Motion<3, double> swing = graze::motion_between(closed, open);
   const Pose halfway = graze::pose_at(swing, 0.5);
   const graze::Obb<3, double> ajar = graze::transformed(graze::transformed(door, closed), halfway);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Records the calls on a scene, performs them again on the library and on its judge, and makes the log small where it
-// shows a fault. Here the fault is written into the log.
+// Records the calls on a scene, replays them on the library and on a brute-force scene, and reduces a log that shows a
+// fault. Here the fault is written into the log.
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -13,7 +13,7 @@
 #include <graze/io/replay.hpp>
 #include <graze/io/shrink.hpp>
 
-/// A program that knows its scene by this type; `graze::Scene<2>` is the other one.
+/// A program switches recording on and off by this alias; `graze::Scene<2>` records nothing.
 using World = graze::io::RecordedScene<2>;
 
 void play(World& world) {
@@ -41,7 +41,7 @@ int main() {
   const graze::io::ReplayReport report = graze::io::replay(log, targets);
   std::printf("%zu calls performed again, %zu answers differ\n", report.calls, report.differing);
 
-  // As if another version had answered otherwise once.
+  // As if another version had once given a different result.
   log.entries.back().answer = log.entries[log.entries.size() - 3].answer;
   const std::optional<graze::io::QueryLog<2>> small = graze::io::shrunk(log, targets);
   if (!small) return 1;

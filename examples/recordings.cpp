@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes the frames of moving boxes into a file and reads them again, in any order, to measure with the same boxes
-// elsewhere.
+// Writes the frames of moving boxes to a file and reads them back in any order, for example to benchmark another
+// program on the same boxes.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lengths, directions and normals where the usual formulas fail: squares that overflow or vanish, and vectors that are
-// almost parallel.
+// Lengths, directions and normals where the usual formulas fail: squares that overflow or underflow, and vectors that
+// are almost parallel.
 #include <cmath>
 #include <cstdio>
 
@@ -9,13 +9,13 @@
 
 using Vec3 = graze::Vec<3, double>;
 
-/// The length, also where its square is no double. To multiply by a power of two rounds nothing.
+/// The length, even if its square overflows or underflows. Multiplying by a power of two is exact.
 double length_of(const Vec3& v) {
   const double scale = graze::scale_to_moderate(graze::max_abs(v));
   return std::sqrt(graze::length_squared<3, double>(v * scale)) / scale;
 }
 
-/// The direction of any vector but zero.
+/// The direction of any nonzero vector.
 Vec3 direction_of(const Vec3& v) {
   const Vec3 moderate = graze::of_moderate_size(v);
   return moderate / std::sqrt(dot(moderate, moderate));

@@ -28,7 +28,7 @@ int main() {
   const graze::Aabb<3> box = reach_of(drone, 1.0 / 3);
   std::printf("x from %.9f to %.9f\n", static_cast<double>(box.min.x), static_cast<double>(box.max.x));
 
-  // No float nearer to the drone would do.
+  // No smaller box of floats contains it.
   const double right = drone.center.x + drone.radius + drone.top_speed.x / 3;
   const double left = drone.center.x - drone.radius - drone.top_speed.x / 3;
   const bool contains_it = static_cast<double>(box.max.x) >= right && static_cast<double>(box.min.x) <= left;

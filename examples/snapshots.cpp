@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A snapshot stays as it is while the scene goes on: here another thread reads one, and two of them tell what has
-// changed in between.
+// A snapshot does not change when the scene does: another thread reads one here, and two of them show what changed in
+// between.
 #include <cstdio>
 #include <future>
 #include <memory>
@@ -15,7 +15,7 @@ int main() {
 
   const std::shared_ptr<const graze::SceneView<2>> before = scene.snapshot();  // copies no object
   std::future<std::size_t> pairs_before = std::async(std::launch::async, [before] { return before->pairs().size(); });
-  scene.move(ball, graze::Circle<>{{0, 3.5F}, 1});  // the reader is not disturbed
+  scene.move(ball, graze::Circle<>{{0, 3.5F}, 1});  // the reader does not see this
   const std::shared_ptr<const graze::SceneView<2>> after = scene.snapshot();
 
   const graze::SceneEvents events = graze::events_between(before->pairs(), after->pairs());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs by the block, for worlds whose pairs would not fit into memory. A visitor that returns false ends the search.
+// Pairs in blocks, when a list of all would not fit into memory. A visitor that returns false ends the search.
 #include <cstdio>
 #include <memory>
 #include <span>
@@ -23,7 +23,7 @@ int main() {
   std::printf("%zu pairs with %zu threads of %zu\n", found, two_threads->concurrency(),
               graze::default_executor().concurrency());
 
-  // The same frame after frame, with memory that is kept.
+  // The same in every frame, with memory that is reused.
   std::size_t found_again = 0;
   graze::PairFinder<2> finder;
   finder.visit(world.boxes(), [&found_again](std::span<const graze::Pair> block) {
@@ -35,7 +35,7 @@ int main() {
   std::vector<std::size_t> squares(100);
   two_threads->parallel_for(squares.size(), [&squares](std::size_t i) { squares[i] = i * i; });
 
-  // In order: those of the first hundred boxes, and no more.
+  // In order, and only those of the first hundred boxes.
   std::size_t of_first = 0;
   bool ascend = true;
   graze::Pair last{};

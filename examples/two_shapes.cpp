@@ -24,7 +24,7 @@ int main() {
   const graze::Sphere<3> pushed_ball{near_ball.center + contact->normal * contact->depth, near_ball.radius};
   std::printf("pushed out, it is %s\n", graze::name_of(graze::relation(pole, pushed_ball)).data());
 
-  // Both in one call: a number that is negative if they overlap.
+  // Both in one call: a signed distance, negative if they overlap.
   const float separation = graze::separation(pole, near_ball).distance;
 
   // A ray, and a segment that ends before the ball.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads a scene from memory, says what of it graze did not read, and goes on in float.
+// Reads a scene from memory, prints what graze did not read, and converts it to float.
 #include <cstdio>
 #include <string>
 #include <variant>
@@ -10,7 +10,7 @@
 #include <graze/io/scene_file.hpp>
 #include <graze/io/scene_numbers.hpp>
 
-// A Tiled map with a text, which has no shape that could touch anything.
+// A Tiled map with a text object, which has no shape.
 constexpr const char* map = R"(<map orientation="orthogonal" width="4" height="4" tilewidth="16" tileheight="16">
   <objectgroup id="1" name="things">
     <object id="1" name="crate" x="8" y="8" width="16" height="16"/>
@@ -32,7 +32,7 @@ int main() {
   }
   const bool is_complete = graze::io::missing_shapes(file.omissions).empty();
 
-  // Files hold doubles. This program goes on in float; ids, names and layers stay.
+  // Files hold doubles. After the conversion to float, ids, names and layers are the same.
   const auto& scene = std::get<graze::Scene<2, double>>(file.scene);
   const graze::Scene<2> in_float = graze::io::scene_with_numbers<float>(scene);
   const graze::AnyShape<2> crate = graze::io::with_numbers<float>(scene.object(*scene.find("crate")).shape);
