@@ -40,6 +40,7 @@ TESTED_ELSEWHERE = {
     "graze/query/compiled/pairs_2d_float.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
     "graze/query/compiled/pairs_3d_double.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
     "graze/query/compiled/pairs_3d_float.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
+    "graze/query/compiled/searches.cpp": ("tests/query/epa_test.cpp", "instances of the searches under test"),
     "graze/query/compiled/singles_2d.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
     "graze/query/compiled/singles_3d.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
     "graze/query/fast_contact/cores_2d.hpp":

@@ -15,6 +15,7 @@
 #include <graze/math/exact/twofold.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/convex/depth_face.hpp>
 #include <graze/query/convex/growing_hull.hpp>
 #include <graze/query/convex/inplace_vector.hpp>
@@ -54,14 +55,13 @@ inline constexpr int epa_iteration_limit = 128;
 static_assert(epa_iteration_limit <= static_cast<int>(most_hull_inserts));
 
 /// Computes the bounds by expanding a polytope.
-template <class Differences>
+template <Dim N>
 class Expansion {
  public:
-  static constexpr Dim N = Differences::dimension;
   using Point = Vec<N, double>;
   using Start = InplaceVector<Point, most_hull_starts<N>>;
 
-  Expansion(Differences& differences, const EpaOptions& options) : differences_(differences), options_(options) {}
+  Expansion(AnyDifference<N>& differences, const EpaOptions& options) : differences_(differences), options_(options) {}
 
   EpaResult<N> run(const Simplex<N>& simplex) {
     for (Dim i = 0; i < N; ++i) differences_.support(unit_axis<N>(i));  // for the resolution
@@ -162,19 +162,24 @@ class Expansion {
     return result_.upper - result_.lower <= tolerance::gjk_relative_gap * result_.upper + resolution;
   }
 
-  Differences& differences_;
+  AnyDifference<N>& differences_;
   EpaOptions options_;
   EpaResult<N> result_;
   bool has_met_ = false;                                         ///< The bounds have met.
   double most_lower_ = std::numeric_limits<double>::infinity();  ///< The least lower bound of settled faces.
 };
 
+template <Dim N>
+EpaResult<N> epa_on(AnyDifference<N>& differences, const Simplex<N>& simplex, const EpaOptions& options) {
+  return Expansion<N>(differences, options).run(simplex);
+}
+
 /// For numbers in range.
 template <Convex A, SameDimension<A> B>
 EpaResult<dimension_of<A>> usual_epa(const A& a, const B& b, const Simplex<dimension_of<A>>& simplex,
                                      const EpaOptions& options = {}) {
   Difference<A, B> differences(a, b);
-  return Expansion<Difference<A, B>>(differences, options).run(simplex);
+  return epa_on<dimension_of<A>>(differences, simplex, options);
 }
 
 /// The result for shapes 2^k times as large.
@@ -203,6 +208,8 @@ template <Convex A, Convex B>
 }
 
 }  // namespace detail
+
+GRAZE_DECLARE_INSTANCES_OF_DIMENSIONS(GRAZE_EPA_INSTANCES)
 
 /// Bounds on the depth of two convex shapes that meet, given the simplex with which `gjk` ended. Flat sets of
 /// differences, as of two coplanar triangles, have depth 0. At most 128 steps; if these or the precision end before the

@@ -13,6 +13,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/closest/fitting_face.hpp>
+#include <graze/query/compiled/instances.hpp>
 #include <graze/query/convex/simplex.hpp>
 #include <graze/query/convex/wide_support.hpp>
 #include <graze/query/scaling/range.hpp>
@@ -64,10 +65,9 @@ void raise_lower(GjkResult<N>& result, double distance, const Vec<N, double>& no
 
 /// Raises the lower bound. Near the origin the nearest point, and so its direction, is mostly rounding error, but the
 /// directions perpendicular to the simplex' faces are not.
-template <class Differences>
-void prove_distance(Differences& differences, const Simplex<Differences::dimension>& simplex,
-                    GjkResult<Differences::dimension>& result) {
-  for_each_perpendicular(simplex, [&](const Vec<Differences::dimension, double>& direction) {
+template <Dim N>
+void prove_distance(AnyDifference<N>& differences, const Simplex<N>& simplex, GjkResult<N>& result) {
+  for_each_perpendicular(simplex, [&](const Vec<N, double>& direction) {
     const double size = std::sqrt(dot(direction, direction));
     if (!(size > 0)) return;
     raise_lower(result, dot(direction, differences.support(-direction)) / size, direction);
@@ -155,7 +155,7 @@ GjkResult<Differences::dimension> gjk_walk(Differences& differences,
     nearest = found->point;
     result.simplex = found->face;
   }
-  prove_distance(differences, extended, result);
+  prove_distance<N>(differences, extended, result);
   if (!bounds_meet()) result.status = Status::best_bound;
   return result;
 }
@@ -202,6 +202,8 @@ template <Convex A, Convex B>
 }
 
 }  // namespace detail
+
+GRAZE_DECLARE_INSTANCES_OF_DIMENSIONS(GRAZE_GJK_INSTANCES)
 
 /// Bounds on the distance of two convex shapes, in double. If the shapes meet, upper is 0 or below `resolution`. At
 /// most 128 steps; if these or the precision end before the bounds meet, the status says so and the bounds still hold.

@@ -35,7 +35,7 @@ struct CornersOfDifference {
 /// The differences moved a - b, which remember the points that they were made from. `Number` is the supports' number
 /// type. It must not outlive the shapes.
 template <Dim N, Scalar Number>
-class MovingDifference {
+class MovingDifference final : public AnyDifference<N> {
  public:
   static constexpr Dim dimension = N;
   using Point = Vec<N, double>;
@@ -43,9 +43,11 @@ class MovingDifference {
   MovingDifference(const ConvexView<N>& a, const ConvexView<N>& b, const Pose<N, double>& pose)
       : a_(a), b_(b), pose_(pose), back_(transpose(pose.rotation)) {}
 
-  Point support(const Point& direction) { return add({a_.support(back_ * direction), b_.support(-direction)}); }
+  Point support(const Point& direction) override {
+    return add({a_.support(back_ * direction), b_.support(-direction)});
+  }
 
-  double resolution() const {
+  double resolution() const override {
     return largest_ * (std::is_same_v<Number, float> ? tolerance::convex_in<float> : tolerance::convex);
   }
 

@@ -29,7 +29,7 @@ inline constexpr std::size_t most_supports = 3 * static_cast<std::size_t>(gjk_it
 
 /// The Minkowski difference a - b, which remembers the points that its support points were made from.
 template <Convex A, Convex B>
-class WitnessedDifference {
+class WitnessedDifference final : public AnyDifference<dimension_of<A>> {
  public:
   static constexpr Dim dimension = dimension_of<A>;
   using Point = Vec<dimension, double>;
@@ -37,7 +37,7 @@ class WitnessedDifference {
   WitnessedDifference(const A& a, const B& b)
       : a_(a), b_(b), largest_(std::max(largest_within(a), largest_within(b))) {}
 
-  Point support(const Point& direction) {
+  Point support(const Point& direction) override {
     const Point on_a = wide_support(a_, direction);
     const Point on_b = wide_support(b_, -direction);
     largest_ = std::max({largest_, max_abs(on_a), max_abs(on_b)});
@@ -45,7 +45,7 @@ class WitnessedDifference {
     return on_a - on_b;
   }
 
-  double resolution() const { return std::max(support_error<A>, support_error<B>) * largest_; }
+  double resolution() const override { return std::max(support_error<A>, support_error<B>) * largest_; }
 
   const A& a() const { return a_; }
   const B& b() const { return b_; }
@@ -67,7 +67,7 @@ class WitnessedDifference {
   }
 
   /// A support point before rounding.
-  TwofoldVec<dimension> exact(const Point& difference) const {
+  TwofoldVec<dimension> exact(const Point& difference) const override {
     const Witness& made_of = witness(difference);
     return twofold_difference(made_of.on_a, made_of.on_b);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Queries on AnyShape instantiate every type of shape and take long to compile, so graze::graze holds them compiled.
-// This file lists them: one macro per header of a query, for one dimension N and scalar T. With GRAZE_COMPILED_QUERIES,
-// which the CMake target graze::graze defines, each header declares its list `extern`; the sources of this folder
-// instantiate the same lists. Users of graze::geometry compile what they call.
+// Queries on AnyShape instantiate every type of shape and take long to compile, so graze::graze holds them compiled,
+// with the searches that they share. This file lists them: one macro per header, for one dimension N and scalar T. With
+// GRAZE_COMPILED_QUERIES, which the CMake target graze::graze defines, each header declares its list `extern`; the
+// sources of this folder instantiate the same lists. Users of graze::geometry compile what they call.
 #pragma once
 
 #ifdef GRAZE_COMPILED_QUERIES
@@ -11,9 +11,19 @@
   LIST(extern, 3, float)              \
   LIST(extern, 2, double)             \
   LIST(extern, 3, double)
+#define GRAZE_DECLARE_INSTANCES_OF_DIMENSIONS(LIST) LIST(extern, 2) LIST(extern, 3)
 #else
 #define GRAZE_DECLARE_INSTANCES(LIST)
+#define GRAZE_DECLARE_INSTANCES_OF_DIMENSIONS(LIST)
 #endif
+
+// ---- Searches on any convex shapes, in double
+
+#define GRAZE_GJK_INSTANCES(LINKAGE, N) \
+  LINKAGE template void detail::prove_distance(detail::AnyDifference<N>&, const detail::Simplex<N>&, GjkResult<N>&);
+
+#define GRAZE_EPA_INSTANCES(LINKAGE, N) \
+  LINKAGE template EpaResult<N> detail::epa_on(detail::AnyDifference<N>&, const detail::Simplex<N>&, const EpaOptions&);
 
 // ---- Two shapes
 

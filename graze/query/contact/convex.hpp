@@ -71,7 +71,7 @@ template <class Differences>
 EpaResult<Differences::dimension> depth_from(Differences& differences,
                                              const GjkResult<Differences::dimension>& distance) {
   differences.begin_anew();  // as `relation` does, which must give the same verdict
-  return Expansion<Differences>(differences, EpaOptions{}).run(distance.simplex);
+  return epa_on<Differences::dimension>(differences, distance.simplex, EpaOptions{});
 }
 
 /// The points of contact: from the face in which EPA ended or, if there is none, from GJK once the cores are separated.

@@ -97,9 +97,26 @@ double core_radius(const Posed<Capsule<N, T>>& posed) {
   return core_radius(posed.shape);
 }
 
+/// A Minkowski difference whose shapes' types are hidden, for searches that are long and rare: they are compiled once
+/// for each dimension instead of once for each pair of types.
+template <Dim N>
+class AnyDifference {
+ public:
+  virtual Vec<N, double> support(const Vec<N, double>& direction) = 0;
+  virtual double resolution() const = 0;
+
+  /// A support point before rounding, as far as the set remembers what it was made from.
+  virtual TwofoldVec<N> exact(const Vec<N, double>& difference) const {
+    return twofold_difference(difference, Vec<N, double>(0.0));
+  }
+
+ protected:
+  ~AnyDifference() = default;
+};
+
 /// The Minkowski difference a - b of two convex shapes, accessed through its support function.
 template <Convex A, Convex B>
-class Difference {
+class Difference final : public AnyDifference<dimension_of<A>> {
  public:
   static constexpr Dim dimension = dimension_of<A>;
   using Point = Vec<dimension, double>;
@@ -107,18 +124,15 @@ class Difference {
   Difference(const A& a, const B& b) : a_(a), b_(b), largest_(std::max(largest_within(a), largest_within(b))) {}
 
   /// Records the largest coordinate: the rounding of the difference is relative to it.
-  Point support(const Point& direction) {
+  Point support(const Point& direction) override {
     const Point on_a = wide_support(a_, direction);
     const Point on_b = wide_support(b_, -direction);
     largest_ = std::max({largest_, max_abs(on_a), max_abs(on_b)});
     return on_a - on_b;
   }
 
-  /// A support point in twofold precision; this set does not remember the points that it was made from.
-  static TwofoldVec<dimension> exact(const Point& difference) { return twofold_difference(difference, Point(0.0)); }
-
   /// The resolution: smaller distances cannot be distinguished from zero.
-  double resolution() const { return std::max(support_error<A>, support_error<B>) * largest_; }
+  double resolution() const override { return std::max(support_error<A>, support_error<B>) * largest_; }
 
  private:
   const A& a_;
