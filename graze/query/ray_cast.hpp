@@ -61,15 +61,13 @@ concept HoldsAnyShape = std::is_same_v<S, AnyShape<dimension_of<S>, scalar_of<S>
 /// For rays that a filter leaves open, perhaps only because the ray ends there; then the whole ray is clear.
 template <class S, Dim N, class T>
 [[gnu::noinline]] std::optional<RayHit<N, T>> first_hit_of_unclear(const S& shape, const Ray<N, T>& ray, T t_max) {
-  if constexpr (HasQuickCast<S>) {
-    constexpr T forever = std::numeric_limits<T>::infinity();
-    if (t_max < forever) {
-      const auto whole = quick_cast(shape, ray, forever);
-      if (whole.verdict() == RayVerdict::hits) {
-        std::optional<RayHit<N, T>> hit = whole.hit();
-        if (is_after(hit, t_max)) hit.reset();
-        return hit;
-      }
+  constexpr T forever = std::numeric_limits<T>::infinity();
+  if (t_max < forever) {
+    const auto whole = quick_cast(shape, ray, forever);
+    if (whole.verdict() == RayVerdict::hits) {
+      std::optional<RayHit<N, T>> hit = whole.hit();
+      if (is_after(hit, t_max)) hit.reset();
+      return hit;
     }
   }
   return cast_ray(shape, ray, t_max, RaySide::entry);
@@ -78,15 +76,26 @@ template <class S, Dim N, class T>
 template <class S, Dim N, class T>
 std::optional<RayHit<N, T>> first_hit(const S& shape, const Ray<N, T>& ray, T t_max);
 
-/// The first hit of a ray that no filter decides.
+/// The first hit, after filters if there are any.
 template <class S, Dim N, class T>
-[[gnu::noinline]] std::optional<RayHit<N, T>> careful_first_hit(const S& shape, const Ray<N, T>& ray, T t_max) {
+[[gnu::always_inline]] inline std::optional<RayHit<N, T>> first_hit_in_range(const S& shape, const Ray<N, T>& ray,
+                                                                             T t_max) {
   const auto rescaled =
       hit_in_range(shape, ray, t_max, [](const auto& scaled_shape, const auto& scaled_ray, T scaled_t) {
         return first_hit(scaled_shape, scaled_ray, scaled_t);
       });
   if (rescaled) return *rescaled;
-  return first_hit_of_unclear(shape, ray, t_max);
+  if constexpr (HasQuickCast<S>) {
+    return first_hit_of_unclear(shape, ray, t_max);
+  } else {
+    return cast_ray(shape, ray, t_max, RaySide::entry);
+  }
+}
+
+/// The first hit of a ray that no filter decides.
+template <class S, Dim N, class T>
+[[gnu::noinline]] std::optional<RayHit<N, T>> careful_first_hit(const S& shape, const Ray<N, T>& ray, T t_max) {
+  return first_hit_in_range(shape, ray, t_max);
 }
 
 template <class S, Dim N, class T>
@@ -95,8 +104,10 @@ template <class S, Dim N, class T>
     const auto quick = quick_cast(shape, ray, t_max);
     if (quick.verdict() == RayVerdict::misses) return std::nullopt;
     if (quick.verdict() == RayVerdict::hits) return quick.hit();
+    return careful_first_hit(shape, ray, t_max);
+  } else {
+    return first_hit_in_range(shape, ray, t_max);
   }
-  return careful_first_hit(shape, ray, t_max);
 }
 
 template <Dim N, class T>

@@ -323,34 +323,39 @@ template <class S, class Ask>
   return Hit(rounded<N, T>(found.hit, found.hit.t, path.direction, side));
 }
 
-/// The precise algorithm for a ray. Not inlined, so that the fast path does not share stack memory with it.
-template <class S, Dim N, class T>
-[[gnu::noinline]] std::optional<RayHit<N, T>> cast_usable_ray(const S& shape, const Ray<N, T>& ray, double t_max,
-                                                              RaySide side) {
-  constexpr double forever = std::numeric_limits<double>::infinity();
-  // A plane parallel to a ray, up to rounding, is not met, although the ray may cross it far away.
-  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), HasBoundaryVerdict<S> ? forever : t_max};
-  return cast_along(shape, path, forever, side, AskAboutRay<N, T>{ray});
-}
-
 /// Shapes of which all lengths are relative to the ray's origin.
 template <class S>
-inline constexpr bool is_seen_from_ray = is_core<S> || is_a<Triangle, S>;
+inline constexpr bool is_seen_from_ray = is_point<S> || is_core<S> || is_a<Triangle, S>;
+
+/// Shapes whose closed form calculates a size, from which cast_usable_ray knows whether they are in range.
+template <class S>
+inline constexpr bool is_sized_by_closed_form = is_a<Triangle, S>&& dimension_of<S> == 3;
+
+/// Whether a plane or half-space and points up to a distance from the coordinate origin are of usual size.
+template <class S>
+bool are_usual_beside(const S& boundary, double distance) {
+  using T = scalar_of<S>;
+  return is_usual_size<T>(distance + std::fabs(static_cast<double>(boundary.offset))) && has_usual_normal(boundary);
+}
 
 /// Whether a ray or segment can be cast at a shape without scaling.
 template <class S, Dim N, class T>
-bool can_be_cast(const S& shape, const Ray<N, T>& ray) {
+[[gnu::always_inline]] inline bool can_be_cast(const S& shape, const Ray<N, T>& ray) {
   if constexpr (is_seen_from_ray<S>) {
     return is_usual_size<T>(sum_abs(farthest_from(ray.origin, shape))) && is_usable(ray.direction);
+  } else if constexpr (HasBoundaryVerdict<S>) {
+    return are_usual_beside(shape, sum_abs(ray.origin)) && is_usable(ray.direction);
   } else {
     return are_usual(shape, ray);
   }
 }
 template <class S, Dim N, class T>
-bool can_be_cast(const S& shape, const Segment<N, T>& segment) {
+[[gnu::always_inline]] inline bool can_be_cast(const S& shape, const Segment<N, T>& segment) {
+  const Vec<N, double> edge = wide<N, T>(segment.end) - wide<N, T>(segment.start);
   if constexpr (is_seen_from_ray<S>) {
-    const double length = sum_abs(wide<N, T>(segment.end) - wide<N, T>(segment.start));
-    return is_usual_size<T>(sum_abs(farthest_from(segment.start, shape)) + length);
+    return is_usual_size<T>(sum_abs(farthest_from(segment.start, shape)) + sum_abs(edge));
+  } else if constexpr (HasBoundaryVerdict<S>) {
+    return are_usual_beside(shape, sum_abs(segment.start) + sum_abs(edge));
   } else {
     return are_usual(shape, segment);
   }
@@ -380,23 +385,53 @@ template <class S, Dim N, class Cast>
 template <class S, Dim N, class T, class Cast>
 [[gnu::always_inline]] inline std::optional<std::optional<RayHit<N, T>>> hit_in_range(
     const S& shape, const Ray<N, T>& ray, T t_max, [[maybe_unused]] const Cast& cast) {
-  if constexpr (can_leave_range<S>) {
+  if constexpr (can_leave_range<S> && !is_sized_by_closed_form<S>) {
     if (!can_be_cast(shape, ray)) return unusual_hit(shape, ray, t_max, cast);
   }
   return std::nullopt;
 }
 
 template <class S, Dim N, class T>
-std::optional<RayHit<N, T>> cast_ray(const S& shape, const Ray<N, T>& ray, T t_max, RaySide side) {
+[[gnu::always_inline]] inline std::optional<RayHit<N, T>> cast_ray(const S& shape, const Ray<N, T>& ray, T t_max,
+                                                                   RaySide side);
+
+/// The precise algorithm for a ray. Not inlined, so that the fast path does not share stack memory with it.
+template <class S, Dim N, class T>
+[[gnu::noinline]] std::optional<RayHit<N, T>> cast_usable_ray(const S& shape, const Ray<N, T>& ray, double t_max,
+                                                              RaySide side) {
+  constexpr double forever = std::numeric_limits<double>::infinity();
+  // A plane parallel to a ray, up to rounding, is not met, although the ray may cross it far away.
+  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), HasBoundaryVerdict<S> ? forever : t_max};
+  if constexpr (can_leave_range<S> && is_sized_by_closed_form<S>) {
+    const auto seen = relative_to(ray.origin, shape);
+    if (side == RaySide::entry && is_missed(seen, path)) return std::nullopt;  // which is right out of range, too
+    if (!is_usual_size<T>(largest_corner(seen))) {
+      const auto rescaled = unusual_hit(
+          shape, ray, t_max, [side](const auto& a, const auto& b, double t) { return cast_ray(a, b, t, side); });
+      if (rescaled) return *rescaled;
+    }
+  }
+  return cast_along(shape, path, forever, side, AskAboutRay<N, T>{ray});
+}
+
+/// For a direction that cannot be squared.
+template <class S, Dim N>
+[[gnu::noinline, gnu::cold]] std::optional<RayHit<N, double>> cast_unusable_ray(const S& shape,
+                                                                                const Ray<N, double>& ray, double t_max,
+                                                                                RaySide side) {
+  const Usable<N, double> usable(ray);
+  auto hit = cast_usable_ray(shape, usable.ray, usable.to_usable(t_max), side);
+  if (hit) hit->t = usable.from_usable(hit->t);
+  if (is_after(hit, t_max)) hit.reset();
+  return hit;
+}
+
+template <class S, Dim N, class T>
+[[gnu::always_inline]] inline std::optional<RayHit<N, T>> cast_ray(const S& shape, const Ray<N, T>& ray, T t_max,
+                                                                   RaySide side) {
   if (!(t_max >= T(0)) || std::isnan(numbers_of(ray))) return std::nullopt;
   if constexpr (std::is_same_v<T, double>) {
-    if (!is_usable(ray.direction)) {
-      const Usable<N, T> usable(ray);
-      auto hit = cast_usable_ray(shape, usable.ray, usable.to_usable(t_max), side);
-      if (hit) hit->t = usable.from_usable(hit->t);
-      if (is_after(hit, t_max)) hit.reset();
-      return hit;
-    }
+    if (!is_usable(ray.direction)) return cast_unusable_ray(shape, ray, t_max, side);
   }
   auto hit = cast_usable_ray(shape, ray, latest_t(t_max), side);
   if (is_after(hit, t_max)) hit.reset();

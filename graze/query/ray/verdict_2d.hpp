@@ -92,6 +92,11 @@ RayFinding<N> ray_verdict_of(const Ray<N, double>& ray, const Path<N>& path) {
 
 // ---- Triangles in 3D
 
+/// The farthest corner from zero, by the sum of its coordinates.
+inline double largest_corner(const Triangle<3, double>& triangle) {
+  return std::max(sum_abs(triangle.a), std::max(sum_abs(triangle.b), sum_abs(triangle.c)));
+}
+
 /// A ray from zero passes an edge from p to q on the side given by the sign of direction . (p x q), and goes through a
 /// triangle if it passes all edges on one side. Two triangles with a common edge get exactly opposite signs, and what
 /// is nearer to an edge than rounding can tell is left to `relation`, for which both are touched: no ray passes through
@@ -102,6 +107,9 @@ RayFinding<N> ray_verdict_of(const Ray<N, double>& ray, const Path<N>& path) {
 /// tolerance::ray_side S D E on: then the ray passes that far from the edges, relative to S. A ray is called steep if
 /// the sine of its angle with the plane is at least 2^-10; along it, 2^-30 of S is 2^-40 of S away from the plane.
 struct TriangleBesidePath {
+  /// More than what products lose by underflow. What overflows is not a number, or the band is infinite.
+  static constexpr double least_band = 0x1p-960;
+
   double size;
   double edges;
   double band;
@@ -109,9 +117,9 @@ struct TriangleBesidePath {
   double most;
 
   [[gnu::always_inline]] inline TriangleBesidePath(const Triangle<3, double>& triangle, const Path<3>& path)
-      : size(path.far + std::max(sum_abs(triangle.a), std::max(sum_abs(triangle.b), sum_abs(triangle.c)))),
+      : size(path.far + largest_corner(triangle)),
         edges(sum_abs(triangle.b - triangle.a) + sum_abs(triangle.c - triangle.a)),
-        band(tolerance::ray_side * size * sum_abs(path.direction) * edges) {
+        band(tolerance::ray_side * size * sum_abs(path.direction) * edges + least_band) {
     const Vec<3, double> first = triangle.b - triangle.a;
     const Vec<3, double> second = triangle.c - triangle.a;
     const double ab = dot(path.direction, cross(triangle.a, first));

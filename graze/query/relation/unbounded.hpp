@@ -291,30 +291,34 @@ Vec<N, double> farthest_from(const Vec<N, T>& point, const S& shape) {
   return max(abs(wide<N, T>(box.min) - wide<N, T>(point)), abs(wide<N, T>(box.max) - wide<N, T>(point)));
 }
 template <Dim N, class T>
-Vec<N, double> farthest_from(const Vec<N, T>& point, const Segment<N, T>& segment) {
+[[gnu::always_inline]] inline Vec<N, double> farthest_from(const Vec<N, T>& point, const Vec<N, T>& other) {
+  return abs(wide<N, T>(other) - wide<N, T>(point));
+}
+template <Dim N, class T>
+[[gnu::always_inline]] inline Vec<N, double> farthest_from(const Vec<N, T>& point, const Segment<N, T>& segment) {
   return max(abs(wide<N, T>(segment.start) - wide<N, T>(point)), abs(wide<N, T>(segment.end) - wide<N, T>(point)));
 }
 template <Dim N, class T>
-Vec<N, double> farthest_from(const Vec<N, T>& point, const Sphere<N, T>& sphere) {
+[[gnu::always_inline]] inline Vec<N, double> farthest_from(const Vec<N, T>& point, const Sphere<N, T>& sphere) {
   return abs(wide<N, T>(sphere.center) - wide<N, T>(point)) + static_cast<double>(sphere.radius);
 }
 template <Dim N, class T>
-Vec<N, double> farthest_from(const Vec<N, T>& point, const Aabb<N, T>& box) {
+[[gnu::always_inline]] inline Vec<N, double> farthest_from(const Vec<N, T>& point, const Aabb<N, T>& box) {
   return max(abs(wide<N, T>(box.min) - wide<N, T>(point)), abs(wide<N, T>(box.max) - wide<N, T>(point)));
 }
 template <Dim N, class T>
-Vec<N, double> farthest_from(const Vec<N, T>& point, const Obb<N, T>& box) {
+[[gnu::always_inline]] inline Vec<N, double> farthest_from(const Vec<N, T>& point, const Obb<N, T>& box) {
   Vec<N, double> farthest = abs(wide<N, T>(box.center) - wide<N, T>(point));
   for (Dim i = 0; i < N; ++i) farthest += abs(wide<N, T>(box.axes[i])) * static_cast<double>(box.half_extents[i]);
   return farthest;
 }
 template <Dim N, class T>
-Vec<N, double> farthest_from(const Vec<N, T>& point, const Triangle<N, T>& triangle) {
+[[gnu::always_inline]] inline Vec<N, double> farthest_from(const Vec<N, T>& point, const Triangle<N, T>& triangle) {
   return max(farthest_from(point, Segment<N, T>{triangle.a, triangle.b}),
              abs(wide<N, T>(triangle.c) - wide<N, T>(point)));
 }
 template <Dim N, class T>
-Vec<N, double> farthest_from(const Vec<N, T>& point, const Capsule<N, T>& capsule) {
+[[gnu::always_inline]] inline Vec<N, double> farthest_from(const Vec<N, T>& point, const Capsule<N, T>& capsule) {
   return farthest_from(point, axis(capsule)) + static_cast<double>(capsule.radius);
 }
 

@@ -91,7 +91,11 @@ class PowerOfTwo {
 
  private:
   /// Never infinite, because zero times infinity is NaN: a number multiplied by two such factors is too large anyway.
-  static double factor(int exponent) { return std::ldexp(1.0, std::min(exponent, 1023)); }
+  static double factor(int exponent) {
+    const int most = std::min(exponent, 1023);
+    if (most < -1022) return std::ldexp(1.0, most);
+    return bit_cast<double>(static_cast<std::uint64_t>(most + 1023) << 52U);
+  }
 
   int exponent_;
   double first_;
@@ -108,6 +112,8 @@ inline double resized_distance(double distance, const PowerOfTwo& power) {
 template <Dim N>
 int exponent_of(const Vec<N, double>& v) {
   const double size = max_abs(v);
+  const int biased = static_cast<int>(bit_cast<std::uint64_t>(size) >> 52U);
+  if (biased > 0 && biased < 2047) return biased - 1023;
   return size > 0 && std::isfinite(size) ? std::ilogb(size) : 0;
 }
 
