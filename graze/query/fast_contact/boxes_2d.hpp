@@ -94,7 +94,7 @@ class Contact2d {
       over_side<true>({across_second_, side_, up_}, look);
     } else {
       over_side<false>({across_second_, side_, up_}, look);
-      if (look.is_known) take_carried_points(look);
+      if (look.is_known) put_on_first_if_along(look);
     }
     return look;
   }
@@ -262,23 +262,23 @@ class Contact2d {
   }
 
   /// If a side of the first core faces along the normal, too, the points are on that side, even if the contact is not.
-  [[gnu::always_inline]] void take_carried_points(FastContact2d& look) const {
+  [[gnu::always_inline]] void put_on_first_if_along(FastContact2d& look) const {
     const bool is_first_along = first_axes == 2 && is_along(first_.normal[0]);
-    if (is_first_along || is_along(first_.normal[1])) carry(!is_first_along, look);
+    if (is_first_along || is_along(first_.normal[1])) put_on_first(!is_first_along, look);
   }
 
   [[gnu::always_inline]] bool is_along(const V& normal) const {
     return is_aligned(normal, up_) || is_aligned(normal, -up_);
   }
 
-  [[gnu::noinline]] void carry(bool across_second, FastContact2d& look) const {
+  [[gnu::noinline]] void put_on_first(bool across_second, FastContact2d& look) const {
     const V normal = of_axis(across_second, first_.normal);
     const double side = -std::copysign(1.0, dot(normal, up_));
-    FastContact2d carried;
-    over_side<true>({across_second, side, normal * side}, carried);
-    look.is_known = carried.is_known;
-    look.points = carried.points;
-    look.size = carried.size;
+    FastContact2d on_first;
+    over_side<true>({across_second, side, normal * side}, on_first);
+    look.is_known = on_first.is_known;
+    look.points = on_first.points;
+    look.size = on_first.size;
   }
 
   // ---- Corners

@@ -91,8 +91,8 @@ class ContactLanes2d {
     over_sides(side_, is_of_first_, no_lane(), look);
     const DoublesMask is_along[2] = {first_axes == 2 ? is_along_side(first_.normal[0]) : no_lane(),
                                      is_along_side(first_.normal[1])};
-    const DoublesMask is_carried = hn::And(hn::AndNot(is_of_first_, look.is_clear), hn::Or(is_along[0], is_along[1]));
-    if (!hn::AllFalse(Tag<double>(), is_carried)) carry(is_carried, hn::Not(is_along[0]), look);
+    const DoublesMask is_on_first = hn::And(hn::AndNot(is_of_first_, look.is_clear), hn::Or(is_along[0], is_along[1]));
+    if (!hn::AllFalse(Tag<double>(), is_on_first)) put_on_first(is_on_first, hn::Not(is_along[0]), look);
   }
 
  private:
@@ -297,12 +297,12 @@ class ContactLanes2d {
     return hn::Or(is_aligned(side_.up), is_aligned(-side_.up));
   }
 
-  HWY_NOINLINE void carry(DoublesMask is_carried, DoublesMask across_second, FastContactLanes2d& look) const {
+  HWY_NOINLINE void put_on_first(DoublesMask is_on_first, DoublesMask across_second, FastContactLanes2d& look) const {
     const Point2d normal = one_of_two(across_second, first_.normal);
     const Doubles at = hn::Neg(side_of(dot(normal, side_.up)));
-    const Side carrying{hn::Or(hn::And(is_carried, across_second), hn::AndNot(is_carried, side_.across_second)),
-                        hn::IfThenElse(is_carried, at, side_.at), one_of(is_carried, normal * at, side_.up)};
-    over_sides(carrying, hn::Or(is_carried, is_of_first_), is_carried, look);
+    const Side side_of_first{hn::Or(hn::And(is_on_first, across_second), hn::AndNot(is_on_first, side_.across_second)),
+                             hn::IfThenElse(is_on_first, at, side_.at), one_of(is_on_first, normal * at, side_.up)};
+    over_sides(side_of_first, hn::Or(is_on_first, is_of_first_), is_on_first, look);
   }
 
   // ---- Corners

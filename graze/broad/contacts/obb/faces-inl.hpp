@@ -82,7 +82,7 @@ struct FacePairs {
 
 /// Pairs in their contact order whose axis is not the normal of the reference face, but parallel to it up to 1e-5.
 template <class T>
-struct CarriedPairs {
+struct OffAxisPairs {
   const T* const* first;
   const T* const* second;
   DoublesMask is_on_edges;  ///< The axis is across edges along these axes.
@@ -91,7 +91,7 @@ struct CarriedPairs {
   DoublesMask of_b;  ///< The second box has the reference face.
   DoublesMask turned;
 
-  HWY_INLINE explicit CarriedPairs(const PairGroup<T>& group) : first(group.first), second(group.second) {
+  HWY_INLINE explicit OffAxisPairs(const PairGroup<T>& group) : first(group.first), second(group.second) {
     const AxisTestLanes looks(group.looks);
     const Doubles row = looks.row();
     is_on_edges = hn::Gt(row, both(1));
@@ -176,7 +176,7 @@ HWY_INLINE Point upward_of(const Point& normal, DoublesMask of_b) {
 
 /// The axis of each pair, for boxes relative to the first one's center.
 template <class T>
-HWY_INLINE AxisLanes axis_of_carried(const BoxPair& boxes, const CarriedPairs<T>& pairs) {
+HWY_INLINE AxisLanes axis_of_pairs(const BoxPair& boxes, const OffAxisPairs<T>& pairs) {
   const BoxLanes a = turned_to(boxes.box[0], pairs.axis_a);
   const BoxLanes b = turned_to(boxes.box[1], pairs.axis_b);
   const DoublesMask on_edges = pairs.is_on_edges;
@@ -191,10 +191,10 @@ HWY_INLINE AxisLanes axis_of_carried(const BoxPair& boxes, const CarriedPairs<T>
 class ReferenceBoxes {
  public:
   template <class T>
-  HWY_INLINE explicit ReferenceBoxes(const CarriedPairs<T>& pairs) {
+  HWY_INLINE explicit ReferenceBoxes(const OffAxisPairs<T>& pairs) {
     BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
     see_from_first(boxes);
-    const Point normal = axis_of_carried(boxes, pairs).normal;
+    const Point normal = axis_of_pairs(boxes, pairs).normal;
     by_first_ = is_face_along(boxes.box[0], normal);
     by_second_ = hn::AndNot(by_first_, hn::And(pairs.is_on_edges, is_face_along(boxes.box[1], normal * both(-1))));
   }
@@ -209,56 +209,56 @@ class ReferenceBoxes {
 };
 
 template <class T>
-HWY_INLINE ClipInput carried_lanes(const FacePairs<T>& pairs) {
-  ClipInput carried;
+HWY_INLINE ClipInput clip_input(const FacePairs<T>& pairs) {
+  ClipInput input;
   BoxLanes own;
   load_boxes(pairs.own, own);
-  load_boxes(pairs.other, carried.other);
-  carried.turned = pairs.turned;
-  carried.of_b = pairs.of_b;
-  carried.is_open = no_lane();
+  load_boxes(pairs.other, input.other);
+  input.turned = pairs.turned;
+  input.of_b = pairs.of_b;
+  input.is_open = no_lane();
   const Point zero{{both(0), both(0), both(0)}};
   const Point of_own = own.center;
-  const Point of_other = carried.other.center;
-  const Point way = one_of(carried.of_b, of_own - of_other, of_other - of_own);
-  carried.origin = one_of(carried.of_b, of_other, of_own);
-  own.center = one_of(carried.of_b, way, zero);
-  carried.other.center = one_of(carried.of_b, zero, way);
-  carried.own_axis = pairs.axis;
-  carried.size = hn::Add(size_of(own), size_of(carried.other));
-  turn_to(own, carried.own_axis, carried.own);
-  carried.found = axis_of_face(carried.own, 0, carried.other, way);
-  const Point up = upward_of(carried.found.normal, carried.of_b);
-  carried.upward = {up, up};
-  carried.is_far = hn::Gt(dot(carried.own.axes[0], up), both(0));
-  return carried;
+  const Point of_other = input.other.center;
+  const Point way = one_of(input.of_b, of_own - of_other, of_other - of_own);
+  input.origin = one_of(input.of_b, of_other, of_own);
+  own.center = one_of(input.of_b, way, zero);
+  input.other.center = one_of(input.of_b, zero, way);
+  input.own_axis = pairs.axis;
+  input.size = hn::Add(size_of(own), size_of(input.other));
+  turn_to(own, input.own_axis, input.own);
+  input.found = axis_of_face(input.own, 0, input.other, way);
+  const Point up = upward_of(input.found.normal, input.of_b);
+  input.upward = {up, up};
+  input.is_far = hn::Gt(dot(input.own.axes[0], up), both(0));
+  return input;
 }
 
 template <class T>
-HWY_INLINE ClipInput carried_lanes(const CarriedPairs<T>& pairs) {
+HWY_INLINE ClipInput clip_input(const OffAxisPairs<T>& pairs) {
   BoxPair boxes{{load_boxes(pairs.first), load_boxes(pairs.second)}};
-  ClipInput carried;
-  carried.turned = pairs.turned;
-  carried.of_b = pairs.of_b;
-  carried.origin = see_from_first(boxes);
-  carried.size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
-  carried.found = axis_of_carried(boxes, pairs);
-  const Point up = upward_of(carried.found.normal, carried.of_b);
-  const BoxLanes own = one_of(carried.of_b, boxes.box[1], boxes.box[0]);
+  ClipInput input;
+  input.turned = pairs.turned;
+  input.of_b = pairs.of_b;
+  input.origin = see_from_first(boxes);
+  input.size = hn::Add(size_of(boxes.box[0]), size_of(boxes.box[1]));
+  input.found = axis_of_pairs(boxes, pairs);
+  const Point up = upward_of(input.found.normal, input.of_b);
+  const BoxLanes own = one_of(input.of_b, boxes.box[1], boxes.box[0]);
   const LookingFace face(own, up);
-  carried.is_open = face.is_open;
-  carried.own_axis = face.axis;
-  carried.is_far = face.is_far;
-  carried.own = turned_to(own, face.axis);
-  carried.other = one_of(carried.of_b, boxes.box[0], boxes.box[1]);
-  carried.upward = {up, outward_normal(carried.own, up)};
-  return carried;
+  input.is_open = face.is_open;
+  input.own_axis = face.axis;
+  input.is_far = face.is_far;
+  input.own = turned_to(own, face.axis);
+  input.other = one_of(input.of_b, boxes.box[0], boxes.box[1]);
+  input.upward = {up, outward_normal(input.own, up)};
+  return input;
 }
 
 /// Whether the reference box has a face parallel to the axis, as in is_face_along.
-HWY_INLINE DoublesMask are_carried(const ClipInput& carried) {
-  const Point turn = carried.upward.normal - carried.upward.up;
-  return hn::And(may_be_aligned(carried.own, carried.upward.up),
+HWY_INLINE DoublesMask are_on_face(const ClipInput& input) {
+  const Point turn = input.upward.normal - input.upward.up;
+  return hn::And(may_be_aligned(input.own, input.upward.up),
                  hn::Le(dot(turn, turn), both(tolerance::aligned * tolerance::aligned)));
 }
 
@@ -267,20 +267,20 @@ template <class T>
 class FaceContacts {
  public:
   /// Must be called first.
-  HWY_INLINE void lay(const ClipInput& carried) {
-    up_ = carried.upward.up;
-    normal_ = carried.found.normal;
-    of_b_ = carried.of_b;
-    turns_ = hn::Xor(carried.of_b, carried.turned);
-    origin_ = carried.origin;
-    const LookingFace looking(carried.other, up_ * both(-1));
-    incident_ = face_of(turned_to(carried.other, looking.axis), looking.is_far);
-    const FaceClip clip(incident_, face_of(carried.own, carried.is_far), carried.upward,
-                        hn::Mul(both(tolerance::coarse), carried.size));
+  HWY_INLINE void fill(const ClipInput& input) {
+    up_ = input.upward.up;
+    normal_ = input.found.normal;
+    of_b_ = input.of_b;
+    turns_ = hn::Xor(input.of_b, input.turned);
+    origin_ = input.origin;
+    const LookingFace looking(input.other, up_ * both(-1));
+    incident_ = face_of(turned_to(input.other, looking.axis), looking.is_far);
+    const FaceClip clip(incident_, face_of(input.own, input.is_far), input.upward,
+                        hn::Mul(both(tolerance::coarse), input.size));
     clip.give(clip_);
-    is_open_ = hn::Or(carried.is_open, hn::Or(looking.is_open, clip_.is_open()));
-    rows_.set(carried.found, carried.size, carried.turned);
-    store(face_number(carried.own_axis, carried.is_far), faces_[PlacesOnFaces::reference]);
+    is_open_ = hn::Or(input.is_open, hn::Or(looking.is_open, clip_.is_open()));
+    rows_.set(input.found, input.size, input.turned);
+    store(face_number(input.own_axis, input.is_far), faces_[PlacesOnFaces::reference]);
     store(face_number(looking.axis, looking.is_far), faces_[PlacesOnFaces::incident]);
     store(clip_.turns(), places_);
   }

@@ -47,10 +47,10 @@ class ContactBatch {
   ContactBatch(std::span<const ObbsToContact<T>> pairs, std::uint32_t* left) : pairs_(pairs), left_(left) {
     for (std::size_t i = 0; i < pairs.size(); ++i) sort_in(i);
     contact_level();
-    contact_faces(lists_[on_face], [](const PairGroup<T>& group, FaceContacts<T>& contacts) { lay(group, contacts); });
+    contact_faces(lists_[on_face], [](const PairGroup<T>& group, FaceContacts<T>& contacts) { fill(group, contacts); });
     contact_edges(lists_[on_edges]);
-    contact_faces(lists_[carried],
-                  [](const PairGroup<T>& group, FaceContacts<T>& contacts) { lay_carried(group, true, contacts); });
+    contact_faces(lists_[off_axis],
+                  [](const PairGroup<T>& group, FaceContacts<T>& contacts) { fill_off_axis(group, true, contacts); });
   }
 
   std::size_t left_count() const { return left_count_; }
@@ -59,8 +59,8 @@ class ContactBatch {
   enum Kind : std::uint8_t {
     on_face,
     on_edges,
-    level,    ///< May have another reference face, otherwise one of the two above.
-    carried,  ///< The reference face's normal is not the axis.
+    level,     ///< May have another reference face, otherwise one of the two above.
+    off_axis,  ///< The reference face's normal is not the axis.
     unknown,
     kinds
   };
@@ -138,8 +138,8 @@ class ContactBatch {
     }
   }
 
-  HWY_NOINLINE static void lay(const PairGroup<T>& group, FaceContacts<T>& contacts) {
-    contacts.lay(carried_lanes(FacePairs<T>(group)));
+  HWY_NOINLINE static void fill(const PairGroup<T>& group, FaceContacts<T>& contacts) {
+    contacts.fill(clip_input(FacePairs<T>(group)));
   }
 
   /// Writes one group or two, from these positions of the list on.
@@ -186,37 +186,37 @@ class ContactBatch {
     list.fill_last_group();
     FaceContacts<T> contacts[2];
     std::size_t from[2];
-    std::size_t laid = 0;
+    std::size_t filled = 0;
     for (std::size_t next = 0; next < list.count; next += pairs_at_once) {
-      if (!lay_carried(list.group(next), false, contacts[laid])) {
+      if (!fill_off_axis(list.group(next), false, contacts[filled])) {
         sort_level(list, next);
         continue;
       }
-      from[laid++] = next;
-      if (laid < 2) continue;
-      write_two(contacts, from, laid, list);
-      laid = 0;
+      from[filled++] = next;
+      if (filled < 2) continue;
+      write_two(contacts, from, filled, list);
+      filled = 0;
     }
-    if (laid > 0) write_two(contacts, from, laid, list);
+    if (filled > 0) write_two(contacts, from, filled, list);
   }
 
   /// For pairs whose reference faces are given by their axis tests. If not `is_known`, returns false unless all are.
-  HWY_NOINLINE static bool lay_carried(const PairGroup<T>& group, bool is_known, FaceContacts<T>& contacts) {
-    const ClipInput lanes = carried_lanes(CarriedPairs<T>(group));
-    if (!is_known && !hn::AllTrue(Tag<double>(), are_carried(lanes))) return false;
-    contacts.lay(lanes);
+  HWY_NOINLINE static bool fill_off_axis(const PairGroup<T>& group, bool is_known, FaceContacts<T>& contacts) {
+    const ClipInput lanes = clip_input(OffAxisPairs<T>(group));
+    if (!is_known && !hn::AllTrue(Tag<double>(), are_on_face(lanes))) return false;
+    contacts.fill(lanes);
     return true;
   }
 
   HWY_NOINLINE void sort_level(const List& list, std::size_t from) {
-    const ReferenceBoxes carrying(CarriedPairs<T>(list.group(from)));
-    const std::uint32_t by_first = carrying.by_first();
-    const std::uint32_t by_second = carrying.by_second();
+    const ReferenceBoxes reference(OffAxisPairs<T>(list.group(from)));
+    const std::uint32_t by_first = reference.by_first();
+    const std::uint32_t by_second = reference.by_second();
     for (std::size_t lane = 0; lane < std::min(pairs_at_once, list.count - from); ++lane) {
       const std::size_t at = from + lane;
-      const bool is_carried = ((by_first | by_second) >> lane & 1U) != 0;
+      const bool is_on_face = ((by_first | by_second) >> lane & 1U) != 0;
       const std::uint64_t of_second = (by_second >> lane & 1U) != 0 ? reference_on_second : 0;
-      const Sort sort = is_carried ? Sort{carried, false} : sorts[list.looks[at] & ObbAxisTest::axis_bits];
+      const Sort sort = is_on_face ? Sort{off_axis, false} : sorts[list.looks[at] & ObbAxisTest::axis_bits];
       put(sort, sort.exchanged, list.first[at], list.second[at], list.looks[at] | of_second, list.pairs[at]);
     }
   }
