@@ -13,6 +13,7 @@
 #include <graze/broad/bvh/bvh_kernels.hpp>
 #include <graze/broad/bvh/tree.hpp>
 #include <graze/broad/index/region.hpp>
+#include <graze/broad/index/swept_box.hpp>
 #include <graze/broad/memory/short_list.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
@@ -174,6 +175,39 @@ template <Dim N, class T, class Visit>
 void visit_along(const BvhTree<N, T>& tree, const Ray<N, T>& ray, const Visit& visit) {
   const std::optional<BvhHit> first = first_along(tree, ray);
   if (first && visit(first->name, first->t)) visit_along_after(tree, ray, *first, visit);
+}
+
+/// Calls visit(name) for every box that a moving box may touch, by SweptBox::entry, ties by slot. What it returns is
+/// the t up to which it is interested in further boxes.
+template <Dim N, class T, class Visit>
+void visit_swept(const BvhTree<N, T>& tree, const SweptBox<N>& sweep, const Visit& visit) {
+  ShortHeap<BvhRanked, bvh_path, BvhRanked::Before> open;
+  double limit = std::numeric_limits<double>::infinity();
+  const auto look_at = [&](const Aabb<N, T>& box, const BvhRanked& ranked) {
+    const std::optional<double> t = sweep.entry(box);
+    if (t && *t <= limit) open.push({*t, ranked.index, ranked.generation, ranked.is_box});
+  };
+  for (const BvhName& name : tree.infinite()) look_at(tree.box(name.slot), {0, name.slot, name.generation, true});
+  Aabb<N, T> reach = Aabb<N, T>::nothing();
+  if (!tree.root().is_none()) {
+    reach = sweep.template reach<T>(finite_size(tree.bounds()));
+    open.push({0, tree.root().code(), 0, false});
+  }
+  const auto met = bvh_kernels<N, T>().met;
+  while (!open.empty() && open.top().rank <= limit) {
+    const BvhRanked next = open.pop();
+    if (next.is_box) {
+      limit = visit(BvhName{next.index, next.generation});
+      continue;
+    }
+    const BvhLink link = BvhLink::of_code(next.index);
+    const BvhNode<N, T>& node = tree.node(link);
+    for (std::uint32_t lanes = met(node.boxes, reach); lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      const std::uint32_t generation = link.is_leaf() ? node.generations[lane] : 0;
+      look_at(box_in(node.boxes, lane), {0, node.entries[lane], generation, link.is_leaf()});
+    }
+  }
 }
 
 /// Offers the boxes near a point to `nearest`, by keys without an owner, until the rest is beyond its reach. Returns

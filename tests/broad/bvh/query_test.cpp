@@ -346,5 +346,53 @@ TEST(BvhQuery, FindsAsManyAsThereAreWhereMoreAreWanted) {
   }
 }
 
+/// In the order of their entries, although the path is diagonal and nodes overlap.
+template <Dim N, class T>
+void check_swept_boxes() {
+  test::Numbers numbers(20'261'128);
+  BvhTree<N, T> tree(0.5);
+  constexpr std::uint32_t count = 2000;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Vec<N, T> low = numbers.point<N, T>(0, 60);
+    tree.insert(k, {low, low + numbers.point<N, T>(0, 3)});
+  }
+  tree.insert(count, Aabb<N, T>::everything());
+  for (int round = 0; round < 50; ++round) {
+    const Vec<N, T> low = numbers.point<N, T>(0, 60);
+    const SweptBox<N> sweep = swept_box_of(Aabb<N, T>{low, low + T(2)}, numbers.point<N, T>(-60, 60));
+    std::vector<std::pair<double, std::uint32_t>> expected;
+    for (std::uint32_t k = 0; k <= count; ++k) {
+      if (const std::optional<double> t = sweep.entry(tree.box(k))) expected.emplace_back(*t, k);
+    }
+    std::sort(expected.begin(), expected.end());
+    const double limit = expected[expected.size() / 2].first;
+    std::vector<std::pair<double, std::uint32_t>> all;
+    std::vector<std::pair<double, std::uint32_t>> up_to_limit;
+    const auto into = [&](auto& list, double most) {
+      return [&list, &sweep, &tree, most](const BvhName& name) {
+        list.emplace_back(sweep.entry(tree.box(name.slot)).value_or(-1), name.slot);
+        return most;
+      };
+    };
+    visit_swept(tree, sweep, into(all, 1.0));
+    EXPECT_EQ(all, expected);
+    visit_swept(tree, sweep, into(up_to_limit, limit));
+    std::erase_if(expected, [limit](const auto& each) { return each.first > limit; });
+    EXPECT_EQ(up_to_limit, expected);
+  }
+}
+
+TEST(BvhQuery, VisitsWhatAMovingBoxMayTouchInOrder) {
+  check_swept_boxes<2, float>();
+  check_swept_boxes<3, float>();
+  check_swept_boxes<2, double>();
+  check_swept_boxes<3, double>();
+  const SweptBox<2> sweep = swept_box_of(Aabb<2>{}, Vec<2>(1, 0));
+  visit_swept(BvhTree<2, float>(0), sweep, [](const BvhName&) -> double {
+    ADD_FAILURE();
+    return 0;
+  });
+}
+
 }  // namespace
 }  // namespace graze::detail::bvh_query_test
