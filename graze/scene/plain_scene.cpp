@@ -12,8 +12,11 @@
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/shape_cast.hpp>
 #include <graze/query/signed_distance.hpp>
+#include <graze/query/time_of_impact.hpp>
 #include <graze/scene/plain_scene.hpp>
+#include <graze/scene/scene_query.hpp>
 #include <graze/scene/storage/meets_inflated.hpp>
 
 namespace graze {
@@ -23,13 +26,18 @@ void require(bool is_right, const char* fact) {
   if (!is_right) throw std::invalid_argument(std::string("PlainScene: ") + fact);
 }
 
-bool is_on(LayerMask layers, Layer layer) { return (layers & only_layer(layer)) != 0; }
-
 /// The distance of a point from a shape; 0 inside solids.
 template <Dim N, class T>
 T distance_between(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   const T distance = signed_distance(shape, point);
   return std::holds_alternative<Plane<N, T>>(shape) ? std::fabs(distance) : std::max(distance, T(0));
+}
+
+/// The first result, or none.
+template <class Result>
+std::optional<Result> first_of(const std::vector<Result>& results) {
+  if (results.empty()) return std::nullopt;
+  return results.front();
 }
 
 }  // namespace
@@ -154,45 +162,46 @@ std::vector<ObjectContact<N, T>> PlainScene<N, T>::contacts() const {
 }
 
 template <Dim N, class T>
-std::vector<ObjectId> PlainScene<N, T>::overlapping(const AnyShape<N, T>& region, LayerMask layers) const {
+std::vector<ObjectId> PlainScene<N, T>::overlapping(const AnyShape<N, T>& region, const SceneQuery& query) const {
   require(is_valid(region), "the region is not valid");
   std::vector<ObjectId> result;
   for (const auto& [id, object] : objects_) {
-    if (is_on(layers, object.layer) && relation(region, object.shape) != Relation::apart) result.push_back(id);
+    if (detail::admits(query, id, object.layer) && relation(region, object.shape) != Relation::apart)
+      result.push_back(id);
   }
   return result;
 }
 
 template <Dim N, class T>
 template <class R>
-std::vector<ObjectId> PlainScene<N, T>::near(const R& region, LayerMask layers) const {
+std::vector<ObjectId> PlainScene<N, T>::near(const R& region, const SceneQuery& query) const {
   require(is_valid(region), "the region is not valid");
   std::vector<ObjectId> result;
   for (const auto& [id, object] : objects_) {
-    if (!is_on(layers, object.layer) || is_nothing(object.box)) continue;
+    if (!detail::admits(query, id, object.layer) || is_nothing(object.box)) continue;
     if (meets_inflated(region, touching_bounds(object))) result.push_back(id);
   }
   return result;
 }
 
 template <Dim N, class T>
-std::vector<ObjectId> PlainScene<N, T>::cull(const AnyShape<N, T>& region, LayerMask layers) const {
-  return near(region, layers);
+std::vector<ObjectId> PlainScene<N, T>::cull(const AnyShape<N, T>& region, const SceneQuery& query) const {
+  return near(region, query);
 }
 
 template <Dim N, class T>
-std::vector<ObjectId> PlainScene<N, T>::cull(const Frustum<N, T>& frustum, LayerMask layers) const {
-  return near(frustum, layers);
+std::vector<ObjectId> PlainScene<N, T>::cull(const Frustum<N, T>& frustum, const SceneQuery& query) const {
+  return near(frustum, query);
 }
 
 template <Dim N, class T>
 std::vector<NearObject<T>> PlainScene<N, T>::nearest(const Vec<N, T>& point, std::size_t count,
-                                                     LayerMask layers) const {
+                                                     const SceneQuery& query) const {
   require(is_finite(point), "the point is not finite");
   std::vector<NearObject<T>> result;
   for (const auto& [id, object] : objects_) {
-    const T distance =
-        is_on(layers, object.layer) ? distance_between<N, T>(object.shape, point) : std::numeric_limits<T>::infinity();
+    const T distance = detail::admits(query, id, object.layer) ? distance_between<N, T>(object.shape, point)
+                                                               : std::numeric_limits<T>::infinity();
     if (distance < std::numeric_limits<T>::infinity()) result.push_back({id, distance});
   }
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
@@ -201,12 +210,13 @@ std::vector<NearObject<T>> PlainScene<N, T>::nearest(const Vec<N, T>& point, std
 }
 
 template <Dim N, class T>
-std::vector<ObjectHit<N, T>> PlainScene<N, T>::ray_cast_all(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
+std::vector<ObjectHit<N, T>> PlainScene<N, T>::ray_cast_all(const Ray<N, T>& ray, T t_max,
+                                                            const SceneQuery& query) const {
   require(is_valid(ray), "the ray is not valid");
   require(t_max >= T(0), "t_max is negative or not a number");
   std::vector<ObjectHit<N, T>> result;
   for (const auto& [id, object] : objects_) {
-    if (!is_on(layers, object.layer)) continue;
+    if (!detail::admits(query, id, object.layer)) continue;
     if (const auto hit = graze::ray_cast(object.shape, ray, t_max)) result.push_back({id, *hit});
   }
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.hit.t < b.hit.t; });
@@ -214,10 +224,46 @@ std::vector<ObjectHit<N, T>> PlainScene<N, T>::ray_cast_all(const Ray<N, T>& ray
 }
 
 template <Dim N, class T>
-std::optional<ObjectHit<N, T>> PlainScene<N, T>::ray_cast(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
-  const std::vector<ObjectHit<N, T>> hits = ray_cast_all(ray, t_max, layers);
-  if (hits.empty()) return std::nullopt;
-  return hits.front();
+std::optional<ObjectHit<N, T>> PlainScene<N, T>::ray_cast(const Ray<N, T>& ray, T t_max,
+                                                          const SceneQuery& query) const {
+  return first_of(ray_cast_all(ray, t_max, query));
+}
+
+/// By t, ties by id.
+template <Dim N, class T>
+template <class Find>
+std::vector<ObjectImpact<N, T>> PlainScene<N, T>::impacts(const SceneQuery& query, const Find& find) const {
+  std::vector<ObjectImpact<N, T>> result;
+  for (const auto& [id, object] : objects_) {
+    if (!detail::admits(query, id, object.layer)) continue;
+    if (const std::optional<Impact<N, T>> impact = find(object.shape)) result.push_back({id, *impact});
+  }
+  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.impact.t < b.impact.t; });
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectImpact<N, T>> PlainScene<N, T>::shape_cast_all(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
+                                                                 const SceneQuery& query) const {
+  require(is_valid(shape), "the moving shape is not valid");
+  require(is_finite(motion), "the motion is not finite");
+  return impacts(query, [&](const AnyShape<N, T>& other) { return graze::shape_cast(shape, motion, other); });
+}
+
+template <Dim N, class T>
+std::optional<ObjectImpact<N, T>> PlainScene<N, T>::shape_cast(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
+                                                               const SceneQuery& query) const {
+  return first_of(shape_cast_all(shape, motion, query));
+}
+
+template <Dim N, class T>
+std::optional<ObjectImpact<N, T>> PlainScene<N, T>::time_of_impact(const AnyShape<N, T>& shape,
+                                                                   const Motion<N, T>& motion,
+                                                                   const SceneQuery& query) const {
+  require(is_valid(shape), "the moving shape is not valid");
+  require(is_finite(motion), "the motion is not finite");
+  return first_of(impacts(
+      query, [&](const AnyShape<N, T>& other) { return graze::time_of_impact(shape, motion, other, Motion<N, T>{}); }));
 }
 
 template class PlainScene<2, float>;

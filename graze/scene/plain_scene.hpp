@@ -13,10 +13,12 @@
 #include <vector>
 
 #include <graze/broad/index/key_table.hpp>
+#include <graze/math/motion.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/events.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/scene/scene_query.hpp>
 #include <graze/scene/scene_view.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/frustum.hpp>
@@ -54,24 +56,59 @@ class PlainScene {
   /// As SceneView::contacts. Tests all pairs.
   std::vector<ObjectContact<N, T>> contacts() const;
   /// As SceneView::overlapping. Tests all objects.
-  std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+  std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, const SceneQuery& query) const;
+  /// Of the objects on these layers.
+  std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const {
+    return overlapping(region, SceneQuery{.layers = layers});
+  }
   /// As SceneView::cull of a shape. Tests all objects.
-  std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+  std::vector<ObjectId> cull(const AnyShape<N, T>& region, const SceneQuery& query) const;
+  /// Of the objects on these layers.
+  std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const {
+    return cull(region, SceneQuery{.layers = layers});
+  }
   /// As SceneView::cull of a frustum. Tests all objects.
-  std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const;
+  std::vector<ObjectId> cull(const Frustum<N, T>& frustum, const SceneQuery& query) const;
+  /// Of the objects on these layers.
+  std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const {
+    return cull(frustum, SceneQuery{.layers = layers});
+  }
   /// As SceneView::nearest. Tests all objects.
-  std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const;
+  std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, const SceneQuery& query) const;
+  /// Of the objects on these layers.
+  std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const {
+    return nearest(point, count, SceneQuery{.layers = layers});
+  }
   /// As SceneView::ray_cast. Tests all objects.
+  std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const;
+  /// Of the objects on these layers.
   std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
-                                          LayerMask layers = all_layers) const;
+                                          LayerMask layers = all_layers) const {
+    return ray_cast(ray, t_max, SceneQuery{.layers = layers});
+  }
   /// As SceneView::ray_cast_all. Tests all objects.
+  std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const;
+  /// Of the objects on these layers.
   std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
-                                            LayerMask layers = all_layers) const;
+                                            LayerMask layers = all_layers) const {
+    return ray_cast_all(ray, t_max, SceneQuery{.layers = layers});
+  }
+  /// As SceneView::shape_cast. Tests all objects.
+  std::optional<ObjectImpact<N, T>> shape_cast(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
+                                               const SceneQuery& query = {}) const;
+  /// As SceneView::shape_cast_all. Tests all objects.
+  std::vector<ObjectImpact<N, T>> shape_cast_all(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
+                                                 const SceneQuery& query = {}) const;
+  /// As SceneView::time_of_impact. Tests all objects, and leaves out none.
+  std::optional<ObjectImpact<N, T>> time_of_impact(const AnyShape<N, T>& shape, const Motion<N, T>& motion,
+                                                   const SceneQuery& query = {}) const;
 
  private:
   Object<N, T>& at(ObjectId id);
   template <class R>
-  std::vector<ObjectId> near(const R& region, LayerMask layers) const;
+  std::vector<ObjectId> near(const R& region, const SceneQuery& query) const;
+  template <class Find>
+  std::vector<ObjectImpact<N, T>> impacts(const SceneQuery& query, const Find& find) const;
 
   std::map<ObjectId, Object<N, T>> objects_;  // in the order of results
   detail::KeyTable ids_{max_objects};         // vacant places are a stack

@@ -11,6 +11,7 @@
 #include <graze/broad/index/path_filter.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/ray_cast.hpp>
+#include <graze/scene/scene_query.hpp>
 #include <graze/scene/scene_view.hpp>
 #include <graze/shape/any_shape.hpp>
 
@@ -31,12 +32,12 @@ bool comes_first(const ObjectHit<N, T>& a, const ObjectHit<N, T>& b) {
 }  // namespace
 
 template <Dim N, class T>
-std::vector<ObjectId> SceneView<N, T>::near_way(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
-  return t_max < std::numeric_limits<T>::infinity() ? near(RayUntil<N, T>{ray, t_max}, layers) : near(ray, layers);
+std::vector<ObjectId> SceneView<N, T>::near_way(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const {
+  return t_max < std::numeric_limits<T>::infinity() ? near(RayUntil<N, T>{ray, t_max}, query) : near(ray, query);
 }
 
 template <Dim N, class T>
-std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
+std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const {
   require_ray(ray, t_max);
   std::optional<ObjectHit<N, T>> best;
   const auto try_object = [&](const ObjectId& id) {
@@ -52,29 +53,30 @@ std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>& ray, T
   const detail::SlotIndex<N, T>& index = this->index();
   index.ray_cast(ray, [&](std::uint32_t slot, double t) {
     if (t > static_cast<double>(best ? best->hit.t : t_max)) return false;
-    if ((layers & only_layer(in_slot(slot).layer)) != 0) try_object(id_of(slot));
+    if (detail::admits(query, id_of(slot), in_slot(slot).layer)) try_object(id_of(slot));
     return true;
   });
   // Because of rounding, a ray may touch a shape although it misses the shape's box.
-  for (const ObjectId& id : near_way(ray, best ? best->hit.t : t_max, layers)) try_object(id);
+  for (const ObjectId& id : near_way(ray, best ? best->hit.t : t_max, query)) try_object(id);
   return best;
 }
 
 template <Dim N, class T>
-std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
+std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>& ray, T t_max,
+                                                           const SceneQuery& query) const {
   require_ray(ray, t_max);
   std::vector<ObjectHit<N, T>> result;
-  for (const ObjectId& id : near_way(ray, t_max, layers)) {
+  for (const ObjectId& id : near_way(ray, t_max, query)) {
     if (const auto hit = graze::ray_cast(in_slot(id.index).shape, ray, t_max)) result.push_back({id, *hit});
   }
   std::sort(result.begin(), result.end(), comes_first<N, T>);
   return result;
 }
 
-#define GRAZE_INSTANTIATE(N, T)                                                                            \
-  template std::vector<ObjectId> SceneView<N, T>::near_way(const Ray<N, T>&, T, LayerMask) const;          \
-  template std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>&, T, LayerMask) const; \
-  template std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>&, T, LayerMask) const;
+#define GRAZE_INSTANTIATE(N, T)                                                                                    \
+  template std::vector<ObjectId> SceneView<N, T>::near_way(const Ray<N, T>&, T, const SceneQuery&) const;          \
+  template std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>&, T, const SceneQuery&) const; \
+  template std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>&, T, const SceneQuery&) const;
 GRAZE_INSTANTIATE(2, float)
 GRAZE_INSTANTIATE(3, float)
 GRAZE_INSTANTIATE(2, double)

@@ -12,6 +12,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/signed_distance.hpp>
+#include <graze/scene/scene_query.hpp>
 #include <graze/scene/scene_view.hpp>
 #include <graze/scene/storage/meets_inflated.hpp>
 #include <graze/scene/visit_candidates.hpp>
@@ -120,38 +121,39 @@ std::vector<ObjectPair> SceneView<N, T>::pairs() const {
 
 template <Dim N, class T>
 template <class R>
-std::vector<ObjectId> SceneView<N, T>::near(const R& region, LayerMask layers) const {
+std::vector<ObjectId> SceneView<N, T>::near(const R& region, const SceneQuery& query) const {
   std::vector<ObjectId> result;
   const detail::SlotIndex<N, T>& index = this->index();
   index.query(Inflated<R>{region}, [&](std::uint32_t slot) {
-    if ((layers & only_layer(in_slot(slot).layer)) != 0) result.push_back(id_of(slot));
+    if (detail::admits(query, id_of(slot), in_slot(slot).layer)) result.push_back(id_of(slot));
   });
   std::sort(result.begin(), result.end());
   return result;
 }
 
 template <Dim N, class T>
-std::vector<ObjectId> SceneView<N, T>::cull(const AnyShape<N, T>& region, LayerMask layers) const {
+std::vector<ObjectId> SceneView<N, T>::cull(const AnyShape<N, T>& region, const SceneQuery& query) const {
   require_region(type_name<N, T>(region), defect(region));
-  return near(region, layers);
+  return near(region, query);
 }
 
 template <Dim N, class T>
-std::vector<ObjectId> SceneView<N, T>::cull(const Frustum<N, T>& frustum, LayerMask layers) const {
+std::vector<ObjectId> SceneView<N, T>::cull(const Frustum<N, T>& frustum, const SceneQuery& query) const {
   require_region("frustum", defect(frustum));
-  return near(frustum, layers);
+  return near(frustum, query);
 }
 
 template <Dim N, class T>
-std::vector<ObjectId> SceneView<N, T>::overlapping(const AnyShape<N, T>& region, LayerMask layers) const {
-  std::vector<ObjectId> result = cull(region, layers);
+std::vector<ObjectId> SceneView<N, T>::overlapping(const AnyShape<N, T>& region, const SceneQuery& query) const {
+  std::vector<ObjectId> result = cull(region, query);
   std::erase_if(result,
                 [&](const ObjectId& id) { return relation(region, in_slot(id.index).shape) == Relation::apart; });
   return result;
 }
 
 template <Dim N, class T>
-std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers) const {
+std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std::size_t count,
+                                                    const SceneQuery& query) const {
   if (!is_finite(point)) throw std::invalid_argument("Scene: the point has a coordinate that is not finite");
   std::vector<NearObject<T>> result;
   if (count == 0) return result;
@@ -163,7 +165,7 @@ std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std:
     result.clear();
     for (const Neighbour& box : boxes) {
       const std::uint32_t slot = box.key.index;
-      if ((layers & only_layer(in_slot(slot).layer)) == 0) continue;
+      if (!detail::admits(query, id_of(slot), in_slot(slot).layer)) continue;
       const T distance = distance_from<N, T>(in_slot(slot).shape, point);
       if (distance < std::numeric_limits<T>::infinity()) result.push_back({id_of(slot), distance});
     }
@@ -179,11 +181,11 @@ std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std:
   }
 }
 
-#define GRAZE_INSTANTIATE(N, T)                                                                 \
-  template class SceneView<N, T>;                                                               \
-  template std::vector<ObjectId> SceneView<N, T>::near(const AnyShape<N, T>&, LayerMask) const; \
-  template std::vector<ObjectId> SceneView<N, T>::near(const RayUntil<N, T>&, LayerMask) const; \
-  template std::vector<ObjectId> SceneView<N, T>::near(const Ray<N, T>&, LayerMask) const;
+#define GRAZE_INSTANTIATE(N, T)                                                                         \
+  template class SceneView<N, T>;                                                                       \
+  template std::vector<ObjectId> SceneView<N, T>::near(const AnyShape<N, T>&, const SceneQuery&) const; \
+  template std::vector<ObjectId> SceneView<N, T>::near(const RayUntil<N, T>&, const SceneQuery&) const; \
+  template std::vector<ObjectId> SceneView<N, T>::near(const Ray<N, T>&, const SceneQuery&) const;
 GRAZE_INSTANTIATE(2, float)
 GRAZE_INSTANTIATE(3, float)
 GRAZE_INSTANTIATE(2, double)

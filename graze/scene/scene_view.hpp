@@ -15,13 +15,17 @@
 
 #include <graze/broad/executor.hpp>
 #include <graze/broad/index/key_table.hpp>
+#include <graze/broad/index/swept_box.hpp>
+#include <graze/math/motion.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/impact.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_hit.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/scene/events.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
+#include <graze/scene/scene_query.hpp>
 #include <graze/scene/storage/object_index.hpp>
 #include <graze/scene/storage/shared_slots.hpp>
 #include <graze/scene/storage/shared_value.hpp>
@@ -48,6 +52,15 @@ struct ObjectHit {
   friend bool operator==(const ObjectHit&, const ObjectHit&) = default;
 };
 
+/// An object that a moving shape touches, and the first touch.
+template <Dim N, class T = float>
+struct ObjectImpact {
+  ObjectId id;          ///< Names the object.
+  Impact<N, T> impact;  ///< When and where the shape meets the object's; the normal points towards the object.
+
+  friend bool operator==(const ObjectImpact&, const ObjectImpact&) = default;
+};
+
 /// Two objects that touch or overlap, and their contact points.
 template <Dim N, class T = float>
 struct ObjectContact {
@@ -58,8 +71,8 @@ struct ObjectContact {
 };
 
 /// Queries on the objects of a scene. All are const and safe from many threads at once while none writes to the scene;
-/// nothing writes to a snapshot. Queries for objects take a mask and find only objects on its layers. Instantiated for
-/// 2D and 3D, float and double.
+/// nothing writes to a snapshot. Queries for objects take a mask and find only objects on its layers, or a SceneQuery,
+/// which can also leave out single objects. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T = float>
 class SceneView {
  public:
@@ -103,30 +116,73 @@ class SceneView {
 
   /// The objects that touch or overlap a region of any shape, exactly tested. Ascending. Throws std::invalid_argument
   /// if the region is invalid. `cull` is cheaper.
-  std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+  std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, const SceneQuery& query) const;
+  /// Of the objects on these layers.
+  std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const {
+    return overlapping(region, SceneQuery{.layers = layers});
+  }
 
   /// The objects whose boxes touch or overlap a region: cheaper, and never fewer than `overlapping`. Ascending. Throws
   /// std::invalid_argument if the region is invalid.
-  std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+  std::vector<ObjectId> cull(const AnyShape<N, T>& region, const SceneQuery& query) const;
+  /// Of the objects on these layers.
+  std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const {
+    return cull(region, SceneQuery{.layers = layers});
+  }
 
   /// The objects whose boxes touch or overlap a camera's view volume (shape/frustum.hpp: frustum_of). For an exact test
   /// use `overlapping(convex_hull<N, T>(frustum.corners))`.
-  std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const;
+  std::vector<ObjectId> cull(const Frustum<N, T>& frustum, const SceneQuery& query) const;
+  /// Of the objects on these layers.
+  std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const {
+    return cull(frustum, SceneQuery{.layers = layers});
+  }
 
   /// The `count` objects nearest to a point, or all if there are fewer: by distance, ties by id. The distance is that
   /// of the shape, for a compound that of its nearest part; empty compounds are infinitely far away and never found.
   /// Throws std::invalid_argument if the point is not finite.
-  std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const;
+  std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, const SceneQuery& query) const;
+  /// Of the objects on these layers.
+  std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const {
+    return nearest(point, count, SceneQuery{.layers = layers});
+  }
 
   /// The first object that a ray hits, of several the one with the lowest id; none beyond `t_max`, in units of the
   /// ray's direction: 1 makes it a segment. A ray that starts in an object hits it at t = 0 (query/ray_cast.hpp).
   /// Throws std::invalid_argument if the ray is invalid or t_max is negative or NaN.
+  std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const;
+  /// Of the objects on these layers.
   std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
-                                          LayerMask layers = all_layers) const;
+                                          LayerMask layers = all_layers) const {
+    return ray_cast(ray, t_max, SceneQuery{.layers = layers});
+  }
 
   /// All objects that a ray hits, each with its first hit, by t, ties by id. Throws like ray_cast.
+  std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const;
+  /// Of the objects on these layers.
   std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
-                                            LayerMask layers = all_layers) const;
+                                            LayerMask layers = all_layers) const {
+    return ray_cast_all(ray, t_max, SceneQuery{.layers = layers});
+  }
+
+  /// The first object that a shape touches as it moves by `motion` from t = 0 to t = 1, of several the one with the
+  /// lowest id: the earliest `shape_cast` of the shape at any object (query/shape_cast.hpp), bit for bit. What the
+  /// shape touches at the start it touches at t = 0. The shape need not be an object; an object that is cast from its
+  /// own place excepts itself. Throws std::invalid_argument if the shape is invalid or the motion is not finite.
+  std::optional<ObjectImpact<N, T>> shape_cast(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
+                                               const SceneQuery& query = {}) const;
+
+  /// All objects that a shape touches as it moves, each with its first touch, by t, ties by id: it passes through what
+  /// it touches. Throws like shape_cast.
+  std::vector<ObjectImpact<N, T>> shape_cast_all(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
+                                                 const SceneQuery& query = {}) const;
+
+  /// The first object that a shape touches as it moves and rotates: the earliest `time_of_impact` of the shape and any
+  /// object, which stays where it is (query/time_of_impact.hpp), bit for bit. Only bounds on times
+  /// (`Status::best_bound`) of objects whose boxes are outside the sphere in which the shape rotates are left out.
+  /// Throws like shape_cast, which is cheaper without rotation.
+  std::optional<ObjectImpact<N, T>> time_of_impact(const AnyShape<N, T>& shape, const Motion<N, T>& motion,
+                                                   const SceneQuery& query = {}) const;
 
  protected:
   /// @cond protected
@@ -148,12 +204,17 @@ class SceneView {
   /// The index of the boxes, up to date.
   const detail::SlotIndex<N, T>& index() const { return index_.over(objects_); }
 
-  /// The objects on these layers whose boxes meet a region, up to rounding. Ascending.
+  /// The objects whose boxes meet a region, up to rounding. Ascending.
   template <class R>
-  std::vector<ObjectId> near(const R& region, LayerMask layers) const;
+  std::vector<ObjectId> near(const R& region, const SceneQuery& query) const;
 
-  /// The objects on these layers whose boxes a ray meets up to t_max, up to rounding.
-  std::vector<ObjectId> near_way(const Ray<N, T>& ray, T t_max, LayerMask layers) const;
+  /// The objects whose boxes a ray meets up to t_max, up to rounding.
+  std::vector<ObjectId> near_way(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const;
+
+  /// The earliest of `find(shape)`, an optional impact, for the objects whose boxes a moving box may touch.
+  template <class Find>
+  std::optional<ObjectImpact<N, T>> first_impact(const detail::SweptBox<N>& sweep, const SceneQuery& query,
+                                                 const Find& find) const;
 
   detail::KeyTable ids_{max_objects};          ///< Which slots are taken, and their ids.
   detail::SharedSlots<Object<N, T>> objects_;  ///< By slot, the index of an id.

@@ -76,6 +76,27 @@ TEST(PlainScene, AsksEveryObject) {
   EXPECT_EQ(scene.ray_cast(ray, 1), std::nullopt);
 }
 
+TEST(PlainScene, MovesAShapePastEveryObject) {
+  World scene;
+  const ObjectId far = scene.add(Ball{{8, 0}, 1});
+  const ObjectId near = scene.add(Ball{{4, 0}, 1}, {.layer = 1});
+  scene.add(Ball{{4, 9}, 1});
+  const Ball bullet{{0, 0}, 1};
+  const auto impacts = scene.shape_cast_all(bullet, {8, 0});
+  ASSERT_EQ(impacts.size(), 2U);
+  EXPECT_EQ(impacts[0].id, near);
+  EXPECT_EQ(impacts[0].impact.t, 0.25);
+  EXPECT_EQ(impacts[1].id, far);
+  EXPECT_EQ(scene.shape_cast(bullet, {8, 0}), impacts[0]);
+  EXPECT_EQ(scene.shape_cast(bullet, {8, 0}, {.layers = only_layer(0)}), impacts[1]);
+  EXPECT_EQ(scene.shape_cast(bullet, {8, 0}, {.except = {&near, 1}}), impacts[1]);
+  EXPECT_EQ(scene.shape_cast(bullet, {8, 0}, {.predicate = [far](ObjectId id) { return id == far; }}), impacts[1]);
+  EXPECT_EQ(scene.shape_cast(bullet, {1, 0}), std::nullopt);
+  const auto spinning = scene.time_of_impact(Capsule<2, double>{{0, 0}, {0, 4}, 1}, {{0, 0}, -2, {0, 0}});
+  ASSERT_TRUE(spinning);
+  EXPECT_EQ(spinning->id, near);
+}
+
 TEST(PlainScene, RefusesNonsense) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   World scene;

@@ -33,6 +33,7 @@ ObjectId id_in(const ObjectId& id) { return id; }
 ObjectId id_in(const ObjectPair& pair) { return pair.a; }
 ObjectId id_in(const NearObject<double>& near) { return near.id; }
 ObjectId id_in(const ObjectHit<2, double>& hit) { return hit.id; }
+ObjectId id_in(const ObjectImpact<2, double>& impact) { return impact.id; }
 ObjectId id_in(const ObjectContact<2, double>& contact) { return contact.pair.a; }
 
 /// Moves and removes the objects in an answer and adds others while iterating over it; the answer must not change.
@@ -66,6 +67,9 @@ TEST(SceneAnswers, StayWhileTheLoopThroughThemMovesAddsAndRemoves) {
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.cull(Ball{{50, 0}, 25}); });
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.nearest({50, 0}, 20); });
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.ray_cast_all({{-9, 0.5}, {1, 0}}); });
+  expect_to_stay_while_the_scene_changes([](const World& scene) {
+    return scene.shape_cast_all(Ball{{-9, 0.5}, 1}, {99, 0});
+  });
 }
 
 /// A loop that removes both objects of every pair meets removed ids: `contains` says so, and nothing else is removed.

@@ -211,5 +211,17 @@ TEST(SceneMemory, IsSeenWhereThereIsSome) {
   EXPECT_TRUE(was_refused);
 }
 
+/// The first query after a change brings the index up to date.
+TEST(SceneMemory, ACastAllocatesNothing) {
+  World scene;
+  fill(scene, 1000);
+  scene.shape_cast(Ball{}, {1, 0});
+  EXPECT_EQ(test::requests_of([&scene] {
+              EXPECT_TRUE(scene.shape_cast(Ball{{-9, 0}, 1}, {99, 0.5}));
+              EXPECT_TRUE(scene.time_of_impact(Ball{{-9, 0}, 1}, {{99, 0.5}, 1, {-8, 0}}, {.layers = only_layer(0)}));
+            }),
+            0U);
+}
+
 }  // namespace
 }  // namespace graze::scene_memory_test

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <graze/math/motion.hpp>
 #include <graze/math/pose.hpp>
 #include <graze/scene/plain_scene.hpp>
 #include <graze/scene/scene.hpp>
@@ -37,6 +38,11 @@ bool same_near(const NearObject<T>& a, const NearObject<T>& b) {
 template <Dim N, class T>
 bool same_hit(const ObjectHit<N, T>& a, const ObjectHit<N, T>& b) {
   return same_id(a.id, b.id) && a.hit == b.hit;
+}
+
+template <Dim N, class T>
+bool same_impact(const ObjectImpact<N, T>& a, const ObjectImpact<N, T>& b) {
+  return same_id(a.id, b.id) && a.impact == b.impact;
 }
 
 template <Dim N, class T>
@@ -73,10 +79,11 @@ class SceneSoak {
   T length(double most) { return static_cast<T>(numbers_.between(0.01, most)); }
   std::size_t pick() { return static_cast<std::size_t>(numbers_.between(0, static_cast<double>(held_.size()))); }
 
-  Mat<N, T> any_rotation() {
-    if constexpr (N == 2) return Mat<N, T>(rotation_of(numbers_.between(-3, 3)));
-    if constexpr (N == 3) return Mat<N, T>(rotation_of(numbers_.point<3, double>(-3, 3)));
+  Turn<N, double> any_turn() {
+    if constexpr (N == 2) return numbers_.between(-3, 3);
+    if constexpr (N == 3) return numbers_.point<3, double>(-3, 3);
   }
+  Mat<N, T> any_rotation() { return Mat<N, T>(rotation_of(any_turn())); }
 
   Shape any_shape() {
     const double kind = chance();
@@ -205,8 +212,10 @@ class SceneSoak {
     } else if (kind < 0.65) {
       const Vec<N, T> point = place();
       compare(view.nearest(point, 4, layers), judge_.nearest(point, 4, layers), same_near<T>);
-    } else if (kind < 0.95) {
+    } else if (kind < 0.8) {
       cast_ray(view, layers);
+    } else if (kind < 0.95) {
+      cast_shape(view, layers);
     } else {
       ask_for_pairs(view);
     }
@@ -220,6 +229,21 @@ class SceneSoak {
     compare(view.ray_cast_all(ray, t_max, layers), expected, same_hit<N, T>);
     const std::optional<ObjectHit<N, T>> first = view.ray_cast(ray, t_max, layers);
     require(first ? !expected.empty() && same_hit(*first, expected.front()) : expected.empty());
+  }
+
+  /// Compares the first impact, and all impacts, of a shape that translates, and the first of one that also rotates.
+  void cast_shape(const SceneView<N, T>& view, LayerMask layers) {
+    const Shape shape = any_shape();
+    const Vec<N, T> motion = numbers_.point<N, T>(-world_size, world_size);
+    const SceneQuery query{.layers = layers};
+    const std::vector<ObjectImpact<N, T>> expected = judge_.shape_cast_all(shape, motion, query);
+    compare(view.shape_cast_all(shape, motion, query), expected, same_impact<N, T>);
+    const std::optional<ObjectImpact<N, T>> first = view.shape_cast(shape, motion, query);
+    require(first ? !expected.empty() && same_impact(*first, expected.front()) : expected.empty());
+    const Motion<N, T> path{motion, Turn<N, T>(any_turn()), place()};
+    const std::optional<ObjectImpact<N, T>> found = view.time_of_impact(shape, path, query);
+    const std::optional<ObjectImpact<N, T>> judged = judge_.time_of_impact(shape, path, query);
+    require(found ? judged && same_impact(*found, *judged) : !judged);
   }
 
   /// Also those of objects that have changed since the last update.

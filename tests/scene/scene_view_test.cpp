@@ -54,6 +54,43 @@ TEST(SceneView, OverlappingIsExactAndCullAsksBoxes) {
   EXPECT_EQ(scene.overlapping(Segment<2, double>{{-9, 0}, {9, 0}}), (Ids{touching, away}));
 }
 
+/// Scene and PlainScene.
+template <class S>
+void expect_that_queries_leave_out_objects() {
+  S scene;
+  const ObjectId first = scene.add(Ball{{2, 0}, 1});
+  const ObjectId second = scene.add(Ball{{3, 0}, 1}, {.layer = 1});
+  const ObjectId third = scene.add(Ball{{4, 0}, 1}, {.layer = 1});
+  const Ball region{{3, 0}, 1};
+  const Frustum<2, double> everything{{V2(-9, -9), V2(9, -9), V2(-9, 9), V2(9, 9)}};
+  const Ray<2, double> ray{{0, 0}, {1, 0}};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto expect = [&](const SceneQuery& query, const Ids& expected) {
+    EXPECT_EQ(scene.overlapping(region, query), expected);
+    EXPECT_EQ(scene.cull(region, query), expected);
+    EXPECT_EQ(scene.cull(everything, query), expected);
+    Ids near;
+    Ids hit;
+    for (const auto& each : scene.nearest({0, 0}, 9, query)) near.push_back(each.id);
+    for (const auto& each : scene.ray_cast_all(ray, infinity, query)) hit.push_back(each.id);
+    EXPECT_EQ(near, expected);
+    EXPECT_EQ(hit, expected);
+    const auto first_hit = scene.ray_cast(ray, infinity, query);
+    EXPECT_EQ(first_hit ? Ids{first_hit->id} : Ids{}, expected.empty() ? Ids{} : Ids{expected.front()});
+  };
+  expect({}, {first, second, third});
+  expect({.layers = only_layer(1)}, {second, third});
+  expect({.except = {&first, 1}}, {second, third});
+  expect({.predicate = [second](ObjectId id) { return id != second; }}, {first, third});
+  expect({.layers = only_layer(1), .except = {&second, 1}}, {third});
+  expect({.layers = only_layer(1), .except = {&second, 1}, .predicate = [](ObjectId) { return false; }}, {});
+}
+
+TEST(SceneView, QueriesLeaveOutObjects) {
+  expect_that_queries_leave_out_objects<World>();
+  expect_that_queries_leave_out_objects<PlainScene<2, double>>();
+}
+
 TEST(SceneView, ACameraSeesTheObjectsInItsFrustum) {
   Scene<3, float> scene;
   const ObjectId ahead = scene.add(Sphere<3>{{0, 0, 5}, 1}, {.layer = 3});

@@ -17,6 +17,7 @@
 #include <graze/broad/bvh/tree.hpp>
 #include <graze/broad/executor.hpp>
 #include <graze/broad/index/region.hpp>
+#include <graze/broad/index/swept_box.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
@@ -94,6 +95,13 @@ class SlotIndex {
   template <class Visit>
   void ray_cast(const Ray<N, T>& ray, const Visit& visit) const {
     visit_along(tree_, ray, [&visit](const BvhName& name, double t) { return visit(name.slot, t); });
+  }
+
+  /// Calls visit(slot) for every box that a moving box may touch, by SweptBox::entry, ties by slot. What it returns is
+  /// the t up to which it is interested in further boxes.
+  template <class Visit>
+  void visit_swept(const SweptBox<N>& sweep, const Visit& visit) const {
+    graze::detail::visit_swept(tree_, sweep, [&visit](const BvhName& name) { return visit(name.slot); });
   }
 
   /// The k boxes nearest to the point, or all if there are fewer; the index of each key is the slot.

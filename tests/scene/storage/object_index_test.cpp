@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -89,6 +90,20 @@ TEST(ObjectIndex, FindsTheSameWhetherMuchOrLittleHasChanged) {
   EXPECT_EQ(world.in(everywhere).size(), 49U);
   EXPECT_EQ(world.index.over(world.slots).size(), 49U);
   EXPECT_EQ(world.index.over(world.slots).nearest({4, 3}, 2).front().key.index, 7U);
+}
+
+TEST(ObjectIndex, VisitsWhatAMovingBoxMayTouchInOrder) {
+  World world;
+  for (std::uint32_t k = 0; k < 100; ++k) world.set(k, Box{{2.0 * k, 0}, {2.0 * k + 1, 1}});
+  world.set(7, Box{{14, 9}, {15, 10}});
+  world.set(100, HalfSpace<2, double>{{-1, 0}, -12.5});
+  std::vector<std::uint32_t> visited;
+  const SweptBox<2> sweep = swept_box_of(Box{{17.2, 0}, {17.8, 1}}, Vec<2, double>(-8, 0));
+  world.index.over(world.slots).visit_swept(sweep, [&visited](std::uint32_t slot) {
+    visited.push_back(slot);
+    return 1.0;
+  });
+  EXPECT_EQ(visited, (std::vector<std::uint32_t>{100, 8, 6, 5}));
 }
 
 TEST(ObjectIndex, WhatWasSharedStaysAndACopyGoesItsOwnWay) {

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <span>
+
+#include <graze/scene/filter.hpp>
+#include <graze/scene/object.hpp>
+
+namespace graze {
+
+/// Which objects a query of a scene may find: those on some layers that are not excepted and that a predicate accepts;
+/// by default all. Rays and moving shapes pass through the others.
+struct SceneQuery {
+  /// The layers of the objects.
+  LayerMask layers = all_layers;
+  /// Objects to leave out. Ids that name no object are ignored. Every candidate is compared with each of them; for many
+  /// ids use the predicate.
+  std::span<const ObjectId> except = {};
+  /// True for the objects that may be found; if it is empty, all may. A query calls it for some objects, in any order,
+  /// perhaps more than once. It may query the scene but must not change it. The query passes on its exceptions.
+  std::function<bool(ObjectId)> predicate = {};
+};
+
+namespace detail {
+
+/// Whether a query may find an object on a layer.
+inline bool admits(const SceneQuery& query, const ObjectId& id, Layer layer) {
+  if ((query.layers & only_layer(layer)) == 0) return false;
+  if (std::find(query.except.begin(), query.except.end(), id) != query.except.end()) return false;
+  return !query.predicate || query.predicate(id);
+}
+
+}  // namespace detail
+}  // namespace graze
