@@ -178,8 +178,8 @@ class SceneView {
                                                  const SceneQuery& query = {}) const;
 
   /// The first object that a shape touches as it moves and rotates: the earliest `time_of_impact` of the shape and any
-  /// object, which stays where it is (query/time_of_impact.hpp), bit for bit. Only bounds on times
-  /// (`Status::best_bound`) of objects whose boxes are outside the sphere in which the shape rotates are left out.
+  /// object, which stays where it is (query/time_of_impact.hpp), bit for bit. If the shape rotates by hundreds of
+  /// radians, mere bounds on the time (`Status::best_bound`) are left out for objects whose boxes it cannot reach.
   /// Throws like shape_cast, which is cheaper without rotation.
   std::optional<ObjectImpact<N, T>> time_of_impact(const AnyShape<N, T>& shape, const Motion<N, T>& motion,
                                                    const SceneQuery& query = {}) const;
