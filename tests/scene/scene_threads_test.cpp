@@ -40,6 +40,8 @@ struct Answers {
   std::vector<NearObject<T>> nearest;
   std::optional<ObjectHit<N, T>> first_hit;
   std::vector<ObjectHit<N, T>> hits;
+  std::optional<ObjectImpact<N, T>> first_impact;
+  std::vector<ObjectImpact<N, T>> impacts;
 
   friend bool operator==(const Answers&, const Answers&) = default;
 };
@@ -73,8 +75,8 @@ Answers<N, T> ask(const SceneView<N, T>& scene, std::size_t start = 0) {
   Answers<N, T> all{};
   const Sphere<N, T> region{place<N, T>(40, 0.5), T(15)};
   const Ray<N, T> ray{place<N, T>(-9, 0.25), place<N, T>(1, 0)};
-  for (std::size_t k = 0; k < 7; ++k) {
-    switch ((start + k) % 7) {
+  for (std::size_t k = 0; k < 8; ++k) {
+    switch ((start + k) % 8) {
       case 0:
         all.nearest = scene.nearest(place<N, T>(30, 1), 5);
         break;
@@ -96,6 +98,10 @@ Answers<N, T> ask(const SceneView<N, T>& scene, std::size_t start = 0) {
       case 5:
         all.contacts = scene.contacts();
         all.contacts_of_one_thread = scene.contacts(serial_executor());
+        break;
+      case 6:
+        all.first_impact = scene.shape_cast(Sphere<N, T>{ray.origin, T(1)}, ray.direction * T(60));
+        all.impacts = scene.shape_cast_all(Sphere<N, T>{ray.origin, T(1)}, ray.direction * T(60));
         break;
       default:
         all.pairs = scene.pairs();
@@ -164,6 +170,8 @@ void expect_all_to_say_something(const Answers<N, T>& all) {
   EXPECT_EQ(all.nearest.size(), 5U);
   EXPECT_TRUE(all.first_hit);
   EXPECT_GT(all.hits.size(), 10U);
+  EXPECT_TRUE(all.first_impact);
+  EXPECT_GE(all.impacts.size(), all.hits.size());
 }
 
 template <class Space>
