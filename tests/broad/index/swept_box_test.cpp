@@ -110,7 +110,9 @@ TYPED_TEST(SweptBoxIn, EntersWhenItFirstSharesAPoint) {
     };
     for (int step = 0; step <= 64; ++step) {
       const double at = step / 64.0;
-      if (shares_a_point(at, 0)) ASSERT_TRUE(t && *t <= at);
+      if (shares_a_point(at, 0)) {
+        ASSERT_TRUE(t && *t <= at);
+      }
     }
     if (!t) continue;
     ++entered;
