@@ -70,6 +70,8 @@ template <Dim N, class T>
 void enter_box2d(Entrants<N, T>& field);
 template <Dim N, class T>
 void enter_geos(Entrants<N, T>& field);
+template <Dim N, class T>
+void enter_jolt(Entrants<N, T>& field);  // only with GRAZE_PEERS_JOLT
 
 /// All of them, graze first.
 template <Dim N, class T>
@@ -83,6 +85,9 @@ Entrants<N, T> all_entrants(std::size_t threads) {
   enter_fcl(field);
   enter_box2d(field);
   enter_geos(field);
+#ifdef GRAZE_PEERS_JOLT
+  enter_jolt(field);
+#endif
   return field;
 }
 
