@@ -395,6 +395,15 @@ template <class S, Dim N, class T>
 [[gnu::always_inline]] inline std::optional<RayHit<N, T>> cast_ray(const S& shape, const Ray<N, T>& ray, T t_max,
                                                                    RaySide side);
 
+/// The hit of a shape that is sized by its closed form, if it and the ray are out of range; none for others.
+template <class S, Dim N>
+[[gnu::noinline, gnu::cold]] std::optional<std::optional<RayHit<N, double>>> unusual_hit_of_sized(
+    const S& shape, const Ray<N, double>& ray, double t_max, RaySide side) {
+  return unusual_hit(shape, ray, t_max, [side](const auto& scaled_shape, const auto& scaled_ray, double scaled_t) {
+    return cast_ray(scaled_shape, scaled_ray, scaled_t, side);
+  });
+}
+
 /// The precise algorithm for a ray. Not inlined, so that the fast path does not share stack memory with it.
 template <class S, Dim N, class T>
 [[gnu::noinline]] std::optional<RayHit<N, T>> cast_usable_ray(const S& shape, const Ray<N, T>& ray, double t_max,
@@ -406,8 +415,7 @@ template <class S, Dim N, class T>
     const auto seen = relative_to(ray.origin, shape);
     if (side == RaySide::entry && is_missed(seen, path)) return std::nullopt;  // which is right out of range, too
     if (!is_usual_size<T>(largest_corner(seen))) {
-      const auto rescaled = unusual_hit(
-          shape, ray, t_max, [side](const auto& a, const auto& b, double t) { return cast_ray(a, b, t, side); });
+      const auto rescaled = unusual_hit_of_sized(shape, ray, t_max, side);
       if (rescaled) return *rescaled;
     }
   }
@@ -419,6 +427,9 @@ template <class S, Dim N>
 [[gnu::noinline, gnu::cold]] std::optional<RayHit<N, double>> cast_unusable_ray(const S& shape,
                                                                                 const Ray<N, double>& ray, double t_max,
                                                                                 RaySide side) {
+  if constexpr (is_sized_by_closed_form<S>) {
+    if (const auto rescaled = unusual_hit_of_sized(shape, ray, t_max, side)) return *rescaled;
+  }
   const Usable<N, double> usable(ray);
   auto hit = cast_usable_ray(shape, usable.ray, usable.to_usable(t_max), side);
   if (hit) hit->t = usable.from_usable(hit->t);
