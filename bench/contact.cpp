@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Compares contact and manifold for pairs of bounded primitives in 3D with FCL's collide with up to four contacts
-// (double), ODE's dCollide (double) and, for two oriented boxes, Bullet's detector and its persistent manifold (float);
-// each library has a file in bench/contact. A thousand random pairs each, all in cache, some of them apart. Spheres,
-// capsules and boxes also in one call of `contacts`, in double and in float; most kinds also with overlapping pairs
-// only, and oriented boxes also resting on each other. The branch predictor learns a thousand pairs that are queried
-// repeatedly; so oriented boxes are also timed with sixteen thousand pairs, which it does not learn, as in a simulation
-// where no two frames are alike. The contacts of a scene of towers of oriented boxes are also compared with a call of
-// manifold for each of its pairs. Before timing, depths are compared: graze's is the minimum, so no other may be less;
-// others may be up to 5 % more where two edges meet, because they prefer faces by that much.
+// (double), ODE's dCollide (double) and, for two oriented boxes, Bullet's detector and its persistent manifold (float)
+// and, where they are installed, Coal (double) and Jolt (float); each library has a file in bench/contact. A thousand
+// random pairs each, all in cache, some of them apart. Spheres, capsules and boxes also in one call of `contacts`, in
+// double and in float; most kinds also with overlapping pairs only, and oriented boxes also resting on each other. The
+// branch predictor learns a thousand pairs that are queried repeatedly; so oriented boxes are also timed with sixteen
+// thousand pairs, which it does not learn, as in a simulation where no two frames are alike. The contacts of a scene of
+// towers of oriented boxes are also compared with a call of manifold for each of its pairs. Before timing, depths are
+// compared: graze's is the minimum, so no other may be less; others may be up to 5 % more where two edges meet, because
+// they prefer faces by that much.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -35,6 +36,12 @@
 #include "contact/of_bullet.hpp"
 #include "contact/of_fcl.hpp"
 #include "contact/of_ode.hpp"
+#ifdef GRAZE_BENCH_COAL
+#include "contact/of_coal.hpp"
+#endif
+#ifdef GRAZE_BENCH_JOLT
+#include "contact/of_jolt.hpp"
+#endif
 
 namespace {
 
@@ -57,6 +64,13 @@ using graze::contact_bench::OdePair;
 using graze::contact_bench::OdeShape;
 using graze::contact_bench::Point;
 using graze::contact_bench::Sphere;
+#ifdef GRAZE_BENCH_COAL
+using graze::contact_bench::CoalPair;
+#endif
+#ifdef GRAZE_BENCH_JOLT
+using graze::contact_bench::JoltEdges;
+using graze::contact_bench::JoltPair;
+#endif
 using Triangle = graze::Triangle<3, double>;
 using Polytope = graze::Polytope<3, double>;
 
@@ -316,6 +330,13 @@ void register_pairs(const std::string& name, const Pairs<A, B>& drawn) {
   if constexpr (are_boxes) {
     time_other<BulletDetectorPair>(title, *pairs);
     time_other<BulletManifoldPair>(title, *pairs);
+#ifdef GRAZE_BENCH_COAL
+    time_other<CoalPair>(title, *pairs);
+#endif
+#ifdef GRAZE_BENCH_JOLT
+    time_other<JoltPair<JoltEdges::sharp>>(title, *pairs);
+    time_other<JoltPair<JoltEdges::rounded>>(title, *pairs);
+#endif
   }
   if constexpr (std::is_constructible_v<OdeShape, A> && std::is_constructible_v<OdeShape, B>) {
     time_other<OdePair>(title, *pairs);
