@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compares contact and manifold for pairs of bounded primitives in 3D with FCL's collide with up to four contacts
 // (double), ODE's dCollide (double) and, for two oriented boxes, Bullet's detector and its persistent manifold (float)
-// and, where they are installed, Coal (double) and Jolt (float); each library has a file in bench/contact. A thousand
+// and, where it is installed, Jolt (float); each library has a file in bench/contact. A thousand
 // random pairs each, all in cache, some of them apart. Spheres, capsules and boxes also in one call of `contacts`, in
 // double and in float; most kinds also with overlapping pairs only, and oriented boxes also resting on each other. The
 // branch predictor learns a thousand pairs that are queried repeatedly; so oriented boxes are also timed with sixteen
@@ -36,9 +36,6 @@
 #include "contact/of_bullet.hpp"
 #include "contact/of_fcl.hpp"
 #include "contact/of_ode.hpp"
-#ifdef GRAZE_BENCH_COAL
-#include "contact/of_coal.hpp"
-#endif
 #ifdef GRAZE_BENCH_JOLT
 #include "contact/of_jolt.hpp"
 #endif
@@ -64,9 +61,6 @@ using graze::contact_bench::OdePair;
 using graze::contact_bench::OdeShape;
 using graze::contact_bench::Point;
 using graze::contact_bench::Sphere;
-#ifdef GRAZE_BENCH_COAL
-using graze::contact_bench::CoalPair;
-#endif
 #ifdef GRAZE_BENCH_JOLT
 using graze::contact_bench::JoltEdges;
 using graze::contact_bench::JoltPair;
@@ -330,9 +324,6 @@ void register_pairs(const std::string& name, const Pairs<A, B>& drawn) {
   if constexpr (are_boxes) {
     time_other<BulletDetectorPair>(title, *pairs);
     time_other<BulletManifoldPair>(title, *pairs);
-#ifdef GRAZE_BENCH_COAL
-    time_other<CoalPair>(title, *pairs);
-#endif
 #ifdef GRAZE_BENCH_JOLT
     time_other<JoltPair<JoltEdges::sharp>>(title, *pairs);
     time_other<JoltPair<JoltEdges::rounded>>(title, *pairs);

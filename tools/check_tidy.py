@@ -21,7 +21,6 @@ from project_files import ROOT, includes, project_files
 COMPILED_ELSEWHERE = {
     "bench/contact/of_jolt.cpp": "the benchmarks where Jolt is installed, which Debian has no package of",
     "bench/peers/peer_box2d_v3.cpp": "the same where Box2D 3 is",
-    "bench/peers/peer_coal.cpp": "the same where Coal is",
     "bench/peers/peer_jolt.cpp": "the same where Jolt is",
     "tests/fuzz": "Clang, because only it has libFuzzer: ./dev test asan",
     "bindings/wasm/src": "Emscripten, whose headers clang-tidy cannot read: ./dev web",

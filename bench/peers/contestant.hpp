@@ -71,8 +71,6 @@ void enter_box2d(Entrants<N, T>& field);
 template <Dim N, class T>
 void enter_geos(Entrants<N, T>& field);
 template <Dim N, class T>
-void enter_coal(Entrants<N, T>& field);  // only with GRAZE_PEERS_COAL
-template <Dim N, class T>
 void enter_jolt(Entrants<N, T>& field);  // only with GRAZE_PEERS_JOLT
 
 /// All of them, graze first.
@@ -87,9 +85,6 @@ Entrants<N, T> all_entrants(std::size_t threads) {
   enter_fcl(field);
   enter_box2d(field);
   enter_geos(field);
-#ifdef GRAZE_PEERS_COAL
-  enter_coal(field);
-#endif
 #ifdef GRAZE_PEERS_JOLT
   enter_jolt(field);
 #endif
