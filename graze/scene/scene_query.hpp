@@ -19,7 +19,8 @@ struct SceneQuery {
   /// ids use the predicate.
   std::span<const ObjectId> except = {};
   /// True for the objects that may be found; if it is empty, all may. A query calls it for some objects, in any order,
-  /// perhaps more than once. It may query the scene but must not change it. The query passes on its exceptions.
+  /// perhaps more than once. It may query the scene but must not change it. What it throws
+  /// reaches the caller of the query.
   std::function<bool(ObjectId)> predicate = {};
 };
 

@@ -413,8 +413,11 @@ template <class S, Dim N, class T>
   const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), HasBoundaryVerdict<S> ? forever : t_max};
   if constexpr (can_leave_range<S> && is_sized_by_closed_form<S>) {
     const auto seen = relative_to(ray.origin, shape);
-    if (side == RaySide::entry && is_missed(seen, path)) return std::nullopt;  // which is right out of range, too
-    if (!is_usual_size<T>(largest_corner(seen))) {
+    const double size = largest_corner(seen);
+    constexpr double no_product_overflows = 0x1p200;
+    // A miss is certain even if products underflow: TriangleBesidePath::least_band.
+    if (side == RaySide::entry && size < no_product_overflows && is_missed(seen, path)) return std::nullopt;
+    if (!is_usual_size<T>(size)) {
       const auto rescaled = unusual_hit_of_sized(shape, ray, t_max, side);
       if (rescaled) return *rescaled;
     }

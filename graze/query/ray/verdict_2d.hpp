@@ -107,7 +107,7 @@ inline double largest_corner(const Triangle<3, double>& triangle) {
 /// tolerance::ray_side S D E on: then the ray passes that far from the edges, relative to S. A ray is called steep if
 /// the sine of its angle with the plane is at least 2^-10; along it, 2^-30 of S is 2^-40 of S away from the plane.
 struct TriangleBesidePath {
-  /// More than what products lose by underflow. What overflows is not a number, or the band is infinite.
+  /// More than products can lose by underflow.
   static constexpr double least_band = 0x1p-960;
 
   double size;
