@@ -27,11 +27,6 @@
 
 namespace graze::detail {
 
-template <Dim N, class T>
-Ray<N, double> relative_to(const Vec<N, double>& origin, const Ray<N, T>& ray) {
-  return {wide<N, T>(ray.origin) - origin, wide<N, T>(ray.direction)};
-}
-
 /// A shape with a closed form in double, relative to the ray's origin.
 template <class S>
 concept HasRayVerdict = requires(const S& shape, const Path<dimension_of<S>>& path) {

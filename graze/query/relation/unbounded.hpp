@@ -339,6 +339,10 @@ Segment<N, double> relative_to(const Vec<N, double>& origin, const Segment<N, T>
   return {wide<N, T>(segment.start) - origin, wide<N, T>(segment.end) - origin};
 }
 template <Dim N, class T>
+Ray<N, double> relative_to(const Vec<N, double>& origin, const Ray<N, T>& ray) {
+  return {wide<N, T>(ray.origin) - origin, wide<N, T>(ray.direction)};
+}
+template <Dim N, class T>
 Sphere<N, double> relative_to(const Vec<N, double>& origin, const Sphere<N, T>& sphere) {
   return {wide<N, T>(sphere.center) - origin, static_cast<double>(sphere.radius)};
 }
