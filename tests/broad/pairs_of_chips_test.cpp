@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every method on the boxes of two real chips, whose pairs were counted independently: cells of few sizes in rows, many
-// of which abut. The folder is in GRAZE_SHARED_DATA, or ../shared/data beside the project.
+// of which abut. The folder is in GRAZE_SHARED_DATA, or ../shared/data beside the project. If GRAZE_TEST_SCALE is below
+// 1, a fifth of the boxes, whose pairs brute force alone tells: with sanitizers it would take a minute for all.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <fstream>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -49,11 +51,16 @@ std::vector<Aabb<2, T>> boxes_of(const std::filesystem::path& path) {
   return boxes;
 }
 
+bool is_whole_chip_tried() {
+  const char* const scale = std::getenv("GRAZE_TEST_SCALE");
+  return scale == nullptr || std::strtod(scale, nullptr) >= 1;
+}
+
 template <class T>
 class Chip {
  public:
-  explicit Chip(const std::filesystem::path& path)
-      : boxes_(boxes_of<T>(path)), expected_(pairs({.method = PairMethod::brute_force})) {}
+  explicit Chip(std::vector<Aabb<2, T>> boxes)
+      : boxes_(std::move(boxes)), expected_(pairs({.method = PairMethod::brute_force})) {}
 
   std::size_t pair_count() const { return expected_.size(); }
 
@@ -88,8 +95,14 @@ template <class T>
 void expect_known_answers(const char* name, std::size_t pair_count) {
   const std::filesystem::path path = chip_file(name);
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "there is no " << path;
-  const Chip<T> chip(path);
-  ASSERT_EQ(chip.pair_count(), pair_count);
+  std::vector<Aabb<2, T>> boxes = boxes_of<T>(path);
+  if (!is_whole_chip_tried()) boxes.resize(boxes.size() / 5);
+  const Chip<T> chip(std::move(boxes));
+  if (is_whole_chip_tried()) {
+    ASSERT_EQ(chip.pair_count(), pair_count);
+  } else {
+    ASSERT_GT(chip.pair_count(), 1'000);
+  }
   for (const std::size_t threads : {1U, 2U, 7U}) {
     const test::ThreadExecutor executor(threads);
     for (const PairMethod method : {PairMethod::automatic, PairMethod::dense, PairMethod::tree}) {
