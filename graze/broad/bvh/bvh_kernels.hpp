@@ -75,9 +75,9 @@ struct BvhKernels {
   /// Which boxes of a block a ray may enter, as a bit mask, and a lower bound of t for each.
   std::uint32_t (*entered)(const Block<N, T>& block, const BvhSlabs<N, T>& slabs, T* soonest);
 
-  /// Offers the boxes near a point to `nearest`, by keys without an owner, until the rest is beyond its reach. Returns
+  /// Offers the boxes near a box to `nearest`, by keys without an owner, until the rest is beyond its reach. Returns
   /// the number of nodes visited.
-  std::size_t (*find_near)(const BvhNode<N, T>* nodes, BvhLink root, const Vec<N, T>& point, NearestKeys& nearest);
+  std::size_t (*find_near)(const BvhNode<N, T>* nodes, BvhLink root, const Aabb<N, T>& from, NearestKeys& nearest);
 
   /// The bounds of all boxes of a block.
   Aabb<N, T> (*around)(const Block<N, T>& block);

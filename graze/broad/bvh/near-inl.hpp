@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Walks a Bvh to the boxes near a point. Included once per instruction set, so it has no ordinary include guard.
+// Walks a Bvh to the boxes near a box, which may be a point. Included once per instruction set, so it has no ordinary
+// include guard.
 #if defined(GRAZE_BROAD_BVH_NEAR_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_BROAD_BVH_NEAR_INL_HPP
 #undef GRAZE_BROAD_BVH_NEAR_INL_HPP
@@ -23,6 +24,7 @@
 #include <graze/math/platform/bit_cast.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace graze::detail::HWY_NAMESPACE {
@@ -45,15 +47,14 @@ HWY_INLINE Lanes<double> load_as(Tag<double> d, const float* from) {
   return hn::PromoteTo(d, hn::Load(hn::Rebind<float, Tag<double>>(), from));
 }
 
-/// The squared distances from a point to boxes of a node, calculated in `To` by the operations of distance_squared.
+/// The squared distances from a box to boxes of a node, calculated in `To` by the operations of box_distance_squared.
 template <class To, Dim N, class T>
-HWY_INLINE Lanes<To> distances_from(const Vec<N, T>& point, const BvhNode<N, T>& node, std::uint32_t lane) {
+HWY_INLINE Lanes<To> distances_from(const Aabb<N, T>& from, const BvhNode<N, T>& node, std::uint32_t lane) {
   const Tag<To> d;
   auto sum = hn::Zero(d);
   for (Dim i = 0; i < N; ++i) {
-    const auto from = hn::Set(d, static_cast<To>(point[i]));
-    const auto below = hn::Sub(load_as(d, node.boxes.min[i] + lane), from);
-    const auto above = hn::Sub(from, load_as(d, node.boxes.max[i] + lane));
+    const auto below = hn::Sub(load_as(d, node.boxes.min[i] + lane), hn::Set(d, static_cast<To>(from.max[i])));
+    const auto above = hn::Sub(hn::Set(d, static_cast<To>(from.min[i])), load_as(d, node.boxes.max[i] + lane));
     const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
     const auto square = hn::Mul(outside, outside);
     sum = i == 0 ? square : hn::Add(sum, square);
@@ -73,7 +74,7 @@ struct NearChildren {
 
 /// Returns the lane-wise minima of the ranks.
 template <Dim N, class T>
-HWY_INLINE Lanes<T> rank_children(const Vec<N, T>& point, const BvhNode<N, T>& node, NearChildren<N, T>& children) {
+HWY_INLINE Lanes<T> rank_children(const Aabb<N, T>& from, const BvhNode<N, T>& node, NearChildren<N, T>& children) {
   using Bits = BitsOf<T>;
   const Tag<T> d;
   const hn::Rebind<Bits, Tag<T>> bits;
@@ -81,7 +82,7 @@ HWY_INLINE Lanes<T> rank_children(const Vec<N, T>& point, const BvhNode<N, T>& n
   const auto infinity = hn::Set(d, std::numeric_limits<T>::infinity());
   auto least = infinity;
   for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<T>) {
-    const auto distances = hn::Min(distances_from<T>(point, node, lane), hn::Set(d, std::numeric_limits<T>::max()));
+    const auto distances = hn::Min(distances_from<T>(from, node, lane), hn::Set(d, std::numeric_limits<T>::max()));
     const auto upper = hn::AndNot(hn::Set(bits, Bits{block_size - 1}), hn::BitCast(bits, distances));
     const auto marked = hn::BitCast(d, hn::Or(upper, hn::Iota(bits, static_cast<Bits>(lane))));
     const auto ranks = hn::IfThenElse(is_full<T>(hn::Load(d, node.boxes.min[0] + lane)), marked, infinity);
@@ -109,7 +110,7 @@ HWY_INLINE std::uint32_t ranked_within(const NearChildren<N, T>& children, T lim
   return within;
 }
 
-/// The squared distances from a point to the boxes of a leaf node, bit-identical to distance_squared; infinite for
+/// The squared distances from a box to the boxes of a leaf node, bit-identical to box_distance_squared; infinite for
 /// lanes without a box.
 struct NearBoxes {
   alignas(64) double distances[block_size];
@@ -121,7 +122,7 @@ struct NearBoxes {
 };
 
 template <Dim N, class T>
-HWY_INLINE void measure_boxes(const Vec<N, T>& point, const BvhNode<N, T>& node, double reach, NearBoxes& boxes) {
+HWY_INLINE void measure_boxes(const Aabb<N, T>& from, const BvhNode<N, T>& node, double reach, NearBoxes& boxes) {
   const Tag<double> d;
   prefetch(&node.entries);
   prefetch(&node.generations);
@@ -130,7 +131,7 @@ HWY_INLINE void measure_boxes(const Vec<N, T>& point, const BvhNode<N, T>& node,
   boxes.within = 0;
   for (std::uint32_t lane = 0; lane < block_size; lane += lanes_of<double>) {
     const auto full = is_full<double>(load_as(d, node.boxes.min[0] + lane));
-    const auto distances = distances_from<double>(point, node, lane);
+    const auto distances = distances_from<double>(from, node, lane);
     boxes.within |= bits_of<double>(hn::And(full, hn::Le(distances, hn::Set(d, reach)))) << lane;
     const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
     hn::Store(hn::IfThenElse(full, distances, infinity), d, boxes.distances + lane);
@@ -297,13 +298,13 @@ class NearestMany {
   NearestKeys& nearest_;
 };
 
-/// A walk to the boxes near a point: first down to the leaf node that seems nearest, then bottom-up to everything
+/// A walk to the boxes near a box: first down to the leaf node that seems nearest, then bottom-up to everything
 /// within reach of what was found there.
 template <Dim N, class T, class Keep>
 class NearWalk {
  public:
-  NearWalk(const BvhNode<N, T>* nodes, const Vec<N, T>& point, NearestKeys& nearest)
-      : nodes_(nodes), point_(point), keep_(nearest) {}
+  NearWalk(const BvhNode<N, T>* nodes, const Aabb<N, T>& from, NearestKeys& nearest)
+      : nodes_(nodes), from_(from), keep_(nearest) {}
 
   /// Returns the number of nodes visited.
   HWY_INLINE std::size_t walk(BvhLink root) {
@@ -312,7 +313,7 @@ class NearWalk {
     std::size_t depth = 0;
     BvhLink link = root;
     for (; !link.is_leaf(); ++depth) {
-      lanes[depth] = lane_of_least<T>(rank_children(point_, nodes_[link.index()], path[depth]));
+      lanes[depth] = lane_of_least<T>(rank_children(from_, nodes_[link.index()], path[depth]));
       link = path[depth].link(lanes[depth]);
     }
     looks_ = depth;
@@ -326,7 +327,7 @@ class NearWalk {
         const Waiting next = open_[--open_count_];
         if (next.rank > limit_) continue;
         NearChildren<N, T> children;
-        rank_children(point_, nodes_[BvhLink::of_code(next.code).index()], children);
+        rank_children(from_, nodes_[BvhLink::of_code(next.code).index()], children);
         ++looks_;
         look_at(children, ranked_within(children, limit_));
       }
@@ -338,7 +339,7 @@ class NearWalk {
  private:
   HWY_INLINE void test_axes(BvhLink leaf) {
     NearBoxes boxes;
-    measure_boxes(point_, nodes_[leaf.index()], keep_.reach(), boxes);
+    measure_boxes(from_, nodes_[leaf.index()], keep_.reach(), boxes);
     ++looks_;
     keep_.offer(boxes);
     limit_ = rank_of<T>(keep_.reach());
@@ -389,7 +390,7 @@ class NearWalk {
   };
 
   const BvhNode<N, T>* nodes_;
-  const Vec<N, T>& point_;
+  const Aabb<N, T>& from_;
   Keep keep_;
   T limit_{};
   std::size_t looks_ = 0;
@@ -398,10 +399,10 @@ class NearWalk {
 };
 
 template <Dim N, class T>
-std::size_t find_near(const BvhNode<N, T>* nodes, BvhLink root, const Vec<N, T>& point, NearestKeys& nearest) {
-  if (nearest.wanted() == 1) return NearWalk<N, T, NearestOne>(nodes, point, nearest).walk(root);
-  if (nearest.wanted() <= 8) return NearWalk<N, T, NearestFew<8>>(nodes, point, nearest).walk(root);
-  return NearWalk<N, T, NearestMany>(nodes, point, nearest).walk(root);
+std::size_t find_near(const BvhNode<N, T>* nodes, BvhLink root, const Aabb<N, T>& from, NearestKeys& nearest) {
+  if (nearest.wanted() == 1) return NearWalk<N, T, NearestOne>(nodes, from, nearest).walk(root);
+  if (nearest.wanted() <= 8) return NearWalk<N, T, NearestFew<8>>(nodes, from, nearest).walk(root);
+  return NearWalk<N, T, NearestMany>(nodes, from, nearest).walk(root);
 }
 
 }  // namespace graze::detail::HWY_NAMESPACE
