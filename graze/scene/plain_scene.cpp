@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,6 +11,7 @@
 #include <graze/broad/pairs.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/distance.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
@@ -162,6 +165,33 @@ std::vector<ObjectContact<N, T>> PlainScene<N, T>::contacts() const {
 }
 
 template <Dim N, class T>
+std::vector<NearPair<T>> PlainScene<N, T>::closest_pairs(T within) const {
+  require(within >= T(0) && std::isfinite(within), "the distance of closest pairs is negative or not finite");
+  std::vector<NearPair<T>> result;
+  for (auto a = objects_.begin(); a != objects_.end(); ++a) {
+    for (auto b = std::next(a); b != objects_.end(); ++b) {
+      if (!may_touch(a->second, b->second)) continue;
+      const T found = distance(a->second.shape, b->second.shape);
+      if (found <= within) result.push_back({{a->first, b->first}, found});
+    }
+  }
+  return result;
+}
+
+template <Dim N, class T>
+std::vector<ObjectTouch<N, T>> PlainScene<N, T>::contacts_with(const AnyShape<N, T>& shape,
+                                                               const SceneQuery& query) const {
+  require(is_valid(shape), "the shape is not valid");
+  std::vector<ObjectTouch<N, T>> result;
+  for (const auto& [id, object] : objects_) {
+    if (!detail::admits(query, id, object.layer)) continue;
+    const Manifold<N, T> found = manifold(shape, object.shape);
+    if (found.size > 0) result.push_back({id, found});
+  }
+  return result;
+}
+
+template <Dim N, class T>
 std::vector<ObjectId> PlainScene<N, T>::overlapping(const AnyShape<N, T>& region, const SceneQuery& query) const {
   require(is_valid(region), "the region is not valid");
   std::vector<ObjectId> result;
@@ -195,18 +225,33 @@ std::vector<ObjectId> PlainScene<N, T>::cull(const Frustum<N, T>& frustum, const
 }
 
 template <Dim N, class T>
-std::vector<NearObject<T>> PlainScene<N, T>::nearest(const Vec<N, T>& point, std::size_t count,
-                                                     const SceneQuery& query) const {
-  require(is_finite(point), "the point is not finite");
+template <class Measure>
+std::vector<NearObject<T>> PlainScene<N, T>::nearest_to(std::size_t count, const SceneQuery& query,
+                                                        const Measure& distance_to) const {
   std::vector<NearObject<T>> result;
   for (const auto& [id, object] : objects_) {
-    const T distance = detail::admits(query, id, object.layer) ? distance_between<N, T>(object.shape, point)
-                                                               : std::numeric_limits<T>::infinity();
+    const T distance =
+        detail::admits(query, id, object.layer) ? distance_to(object.shape) : std::numeric_limits<T>::infinity();
     if (distance < std::numeric_limits<T>::infinity()) result.push_back({id, distance});
   }
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
   if (result.size() > count) result.resize(count);
   return result;
+}
+
+template <Dim N, class T>
+std::vector<NearObject<T>> PlainScene<N, T>::nearest(const Vec<N, T>& point, std::size_t count,
+                                                     const SceneQuery& query) const {
+  require(is_finite(point), "the point is not finite");
+  return nearest_to(count, query,
+                    [&point](const AnyShape<N, T>& other) { return distance_between<N, T>(other, point); });
+}
+
+template <Dim N, class T>
+std::vector<NearObject<T>> PlainScene<N, T>::nearest(const AnyShape<N, T>& shape, std::size_t count,
+                                                     const SceneQuery& query) const {
+  require(is_valid(shape), "the shape is not valid");
+  return nearest_to(count, query, [&shape](const AnyShape<N, T>& other) { return distance(shape, other); });
 }
 
 template <Dim N, class T>

@@ -55,12 +55,16 @@ class PlainScene {
   std::vector<ObjectPair> pairs() const;
   /// As SceneView::contacts. Tests all pairs.
   std::vector<ObjectContact<N, T>> contacts() const;
+  /// As SceneView::closest_pairs. Tests all pairs.
+  std::vector<NearPair<T>> closest_pairs(T within) const;
   /// As SceneView::overlapping. Tests all objects.
   std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, const SceneQuery& query) const;
   /// Of the objects on these layers.
   std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const {
     return overlapping(region, SceneQuery{.layers = layers});
   }
+  /// As SceneView::contacts_with. Tests all objects.
+  std::vector<ObjectTouch<N, T>> contacts_with(const AnyShape<N, T>& shape, const SceneQuery& query = {}) const;
   /// As SceneView::cull of a shape. Tests all objects.
   std::vector<ObjectId> cull(const AnyShape<N, T>& region, const SceneQuery& query) const;
   /// Of the objects on these layers.
@@ -79,6 +83,9 @@ class PlainScene {
   std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const {
     return nearest(point, count, SceneQuery{.layers = layers});
   }
+  /// As SceneView::nearest to a shape. Tests all objects.
+  std::vector<NearObject<T>> nearest(const AnyShape<N, T>& shape, std::size_t count,
+                                     const SceneQuery& query = {}) const;
   /// As SceneView::ray_cast. Tests all objects.
   std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const;
   /// Of the objects on these layers.
@@ -107,6 +114,8 @@ class PlainScene {
   Object<N, T>& at(ObjectId id);
   template <class R>
   std::vector<ObjectId> near(const R& region, const SceneQuery& query) const;
+  template <class Measure>
+  std::vector<NearObject<T>> nearest_to(std::size_t count, const SceneQuery& query, const Measure& distance_to) const;
   template <class Find>
   std::vector<ObjectImpact<N, T>> impacts(const SceneQuery& query, const Find& find) const;
 

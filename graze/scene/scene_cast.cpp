@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include <graze/broad/index/swept_box.hpp>
@@ -21,14 +20,6 @@
 
 namespace graze {
 namespace {
-
-template <Dim N, class T>
-void require_moving_shape(const AnyShape<N, T>& shape) {
-  const std::string_view fault = defect(shape);
-  if (fault.empty()) return;
-  throw std::invalid_argument("Scene: the moving shape, a " + std::string(type_name<N, T>(shape)) + ", " +
-                              std::string(fault));
-}
 
 /// Of a vector or a Motion.
 template <class M>
@@ -67,7 +58,7 @@ std::optional<ObjectImpact<N, T>> SceneView<N, T>::first_impact(const detail::Sw
 template <Dim N, class T>
 std::optional<ObjectImpact<N, T>> SceneView<N, T>::shape_cast(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
                                                               const SceneQuery& query) const {
-  require_moving_shape(shape);
+  detail::refuse_fault("moving shape", shape);
   require_finite_motion(motion);
   return first_impact(detail::swept_box_of(touching_bounds(shape), motion), query,
                       [&](const AnyShape<N, T>& other) { return graze::shape_cast(shape, motion, other); });
@@ -76,7 +67,7 @@ std::optional<ObjectImpact<N, T>> SceneView<N, T>::shape_cast(const AnyShape<N, 
 template <Dim N, class T>
 std::vector<ObjectImpact<N, T>> SceneView<N, T>::shape_cast_all(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
                                                                 const SceneQuery& query) const {
-  require_moving_shape(shape);
+  detail::refuse_fault("moving shape", shape);
   require_finite_motion(motion);
   std::vector<ObjectImpact<N, T>> result;
   index().visit_swept(detail::swept_box_of(touching_bounds(shape), motion), [&](std::uint32_t slot) {
@@ -94,7 +85,7 @@ template <Dim N, class T>
 std::optional<ObjectImpact<N, T>> SceneView<N, T>::time_of_impact(const AnyShape<N, T>& shape,
                                                                   const Motion<N, T>& motion,
                                                                   const SceneQuery& query) const {
-  require_moving_shape(shape);
+  detail::refuse_fault("moving shape", shape);
   require_finite_motion(motion);
   return first_impact(detail::swept_box_of(touching_bounds(shape), motion), query, [&](const AnyShape<N, T>& other) {
     return graze::time_of_impact(shape, motion, other, Motion<N, T>{});

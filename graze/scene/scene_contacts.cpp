@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contacts between the objects of a scene.
+// The contacts between the objects of a scene, and of a shape with them.
 #include <array>
 #include <cstddef>
 #include <span>
@@ -9,7 +9,10 @@
 #include <graze/broad/executor.hpp>
 #include <graze/broad/touching/pair_tasks.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/manifold.hpp>
+#include <graze/scene/scene_query.hpp>
 #include <graze/scene/scene_view.hpp>
+#include <graze/shape/any_shape.hpp>
 
 namespace graze {
 namespace {
@@ -35,9 +38,26 @@ std::vector<ObjectContact<N, T>> SceneView<N, T>::contacts(const Executor& execu
   return result;
 }
 
-template std::vector<ObjectContact<2, float>> SceneView<2, float>::contacts(const Executor&) const;
-template std::vector<ObjectContact<3, float>> SceneView<3, float>::contacts(const Executor&) const;
-template std::vector<ObjectContact<2, double>> SceneView<2, double>::contacts(const Executor&) const;
-template std::vector<ObjectContact<3, double>> SceneView<3, double>::contacts(const Executor&) const;
+template <Dim N, class T>
+std::vector<ObjectTouch<N, T>> SceneView<N, T>::contacts_with(const AnyShape<N, T>& shape,
+                                                              const SceneQuery& query) const {
+  detail::refuse_fault("shape", shape);
+  std::vector<ObjectTouch<N, T>> result;
+  for (const ObjectId& id : near(shape, query)) {
+    const Manifold<N, T> found = manifold(shape, in_slot(id.index).shape);
+    if (found.size > 0) result.push_back({id, found});
+  }
+  return result;
+}
+
+#define GRAZE_INSTANTIATE(N, T)                                                                                    \
+  template std::vector<ObjectContact<N, T>> SceneView<N, T>::contacts(const Executor& executor) const;             \
+  template std::vector<ObjectTouch<N, T>> SceneView<N, T>::contacts_with(const AnyShape<N, T>&, const SceneQuery&) \
+      const;
+GRAZE_INSTANTIATE(2, float)
+GRAZE_INSTANTIATE(3, float)
+GRAZE_INSTANTIATE(2, double)
+GRAZE_INSTANTIATE(3, double)
+#undef GRAZE_INSTANTIATE
 
 }  // namespace graze

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <functional>
 #include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
+#include <graze/shape/any_shape.hpp>
 
 namespace graze {
 
@@ -31,6 +35,18 @@ inline bool admits(const SceneQuery& query, const ObjectId& id, Layer layer) {
   if ((query.layers & only_layer(layer)) == 0) return false;
   if (std::find(query.except.begin(), query.except.end(), id) != query.except.end()) return false;
   return !query.predicate || query.predicate(id);
+}
+
+/// Throws std::invalid_argument if there is a fault in what a query was given: "Scene: the region, a sphere, has ...".
+inline void refuse_fault(std::string_view role, std::string_view type, std::string_view fault) {
+  if (fault.empty()) return;
+  throw std::invalid_argument("Scene: the " + std::string(role) + ", a " + std::string(type) + ", " +
+                              std::string(fault));
+}
+
+template <Dim N, class T>
+void refuse_fault(std::string_view role, const AnyShape<N, T>& shape) {
+  refuse_fault(role, type_name<N, T>(shape), defect(shape));
 }
 
 }  // namespace detail

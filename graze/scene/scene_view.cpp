@@ -1,44 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
-#include <type_traits>
-#include <variant>
 
 #include <graze/broad/index/path_filter.hpp>
 #include <graze/broad/index/region.hpp>
 #include <graze/broad/pairs.hpp>
-#include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
-#include <graze/query/signed_distance.hpp>
 #include <graze/scene/scene_query.hpp>
 #include <graze/scene/scene_view.hpp>
 #include <graze/scene/storage/meets_inflated.hpp>
 #include <graze/scene/visit_candidates.hpp>
 
 namespace graze {
-namespace {
-
-void require_region(std::string_view type, std::string_view fault) {
-  if (fault.empty()) return;
-  throw std::invalid_argument("Scene: the region, a " + std::string(type) + ", " + std::string(fault));
-}
-
-/// The distance of a point from a shape; 0 inside solids.
-template <Dim N, class T>
-T distance_from(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
-  const T signed_value = signed_distance(shape, point);
-  return std::holds_alternative<Plane<N, T>>(shape) ? std::fabs(signed_value) : std::max(T(0), signed_value);
-}
-
-/// The nearer of a and b; of equal ones the one with the lower id.
-template <class T>
-bool is_nearer(const NearObject<T>& a, const NearObject<T>& b) {
-  return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
-}
-
-}  // namespace
 
 template <Dim N, class T>
 std::shared_ptr<const SceneView<N, T>> SceneView<N, T>::share() {
@@ -133,13 +106,13 @@ std::vector<ObjectId> SceneView<N, T>::near(const R& region, const SceneQuery& q
 
 template <Dim N, class T>
 std::vector<ObjectId> SceneView<N, T>::cull(const AnyShape<N, T>& region, const SceneQuery& query) const {
-  require_region(type_name<N, T>(region), defect(region));
+  detail::refuse_fault("region", region);
   return near(region, query);
 }
 
 template <Dim N, class T>
 std::vector<ObjectId> SceneView<N, T>::cull(const Frustum<N, T>& frustum, const SceneQuery& query) const {
-  require_region("frustum", defect(frustum));
+  detail::refuse_fault("region", "frustum", defect(frustum));
   return near(frustum, query);
 }
 
@@ -149,36 +122,6 @@ std::vector<ObjectId> SceneView<N, T>::overlapping(const AnyShape<N, T>& region,
   std::erase_if(result,
                 [&](const ObjectId& id) { return relation(region, in_slot(id.index).shape) == Relation::apart; });
   return result;
-}
-
-template <Dim N, class T>
-std::vector<NearObject<T>> SceneView<N, T>::nearest(const Vec<N, T>& point, std::size_t count,
-                                                    const SceneQuery& query) const {
-  if (!is_finite(point)) throw std::invalid_argument("Scene: the point has a coordinate that is not finite");
-  std::vector<NearObject<T>> result;
-  if (count == 0) return result;
-  const detail::SlotIndex<N, T>& index = this->index();
-  // Boxes come by distance, which is at most that of their objects: once the last box is farther away than the last
-  // object wanted, no other object can be nearer.
-  for (std::size_t asked = 2 * std::min(count, size()) + 4;; asked *= 2) {
-    const std::vector<Neighbour> boxes = index.nearest(point, std::min(asked, size()));
-    result.clear();
-    for (const Neighbour& box : boxes) {
-      const std::uint32_t slot = box.key.index;
-      if (!detail::admits(query, id_of(slot), in_slot(slot).layer)) continue;
-      const T distance = distance_from<N, T>(in_slot(slot).shape, point);
-      if (distance < std::numeric_limits<T>::infinity()) result.push_back({id_of(slot), distance});
-    }
-    std::sort(result.begin(), result.end(), is_nearer<T>);
-    if (result.size() > count) result.resize(count);
-    if (asked >= size()) return result;
-    // Squared distances that overflow or underflow have no order: then all boxes are tested.
-    const double squared = boxes.back().distance_squared;
-    if (!(squared > 0x1p-960 && std::isfinite(squared))) continue;
-    // Rounded as distances are, so that an object at the same distance is not missed.
-    const T reached = static_cast<T>(std::sqrt(squared));
-    if (result.size() == count && reached > result.back().distance) return result;
-  }
 }
 
 #define GRAZE_INSTANTIATE(N, T)                                                                         \

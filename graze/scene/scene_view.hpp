@@ -34,13 +34,22 @@
 
 namespace graze {
 
-/// An object and its distance from a point.
+/// An object and its distance from a point or a shape.
 template <class T = float>
 struct NearObject {
   ObjectId id;  ///< Names the object.
-  T distance;   ///< 0 if the point is in the object.
+  T distance;   ///< 0 if the point is in the object, or the shape touches it.
 
   friend bool operator==(const NearObject&, const NearObject&) = default;
+};
+
+/// Two objects and their distance.
+template <class T = float>
+struct NearPair {
+  ObjectPair pair;  ///< The two objects.
+  T distance;       ///< 0 if they touch.
+
+  friend bool operator==(const NearPair&, const NearPair&) = default;
 };
 
 /// An object that a ray hits, and the hit.
@@ -59,6 +68,15 @@ struct ObjectImpact {
   Impact<N, T> impact;  ///< When and where the shape meets the object's; the normal points towards the object.
 
   friend bool operator==(const ObjectImpact&, const ObjectImpact&) = default;
+};
+
+/// An object that touches or overlaps a shape, and their contact points.
+template <Dim N, class T = float>
+struct ObjectTouch {
+  ObjectId id;              ///< Names the object.
+  Manifold<N, T> manifold;  ///< The normal points from the shape towards the object; at least one point.
+
+  friend bool operator==(const ObjectTouch&, const ObjectTouch&) = default;
 };
 
 /// Two objects that touch or overlap, and their contact points.
@@ -114,6 +132,11 @@ class SceneView {
   /// query/manifold.hpp. Throws what the executor throws. `pairs` is cheaper.
   std::vector<ObjectContact<N, T>> contacts(const Executor& executor = default_executor()) const;
 
+  /// All pairs that are at most `within` apart and that the filters admit, with their `distance` (query/distance.hpp),
+  /// bit for bit. Ascending by pair. Zero gives those of `pairs`, which is cheaper. Throws std::invalid_argument if the
+  /// distance is negative or not finite.
+  std::vector<NearPair<T>> closest_pairs(T within) const;
+
   /// The objects that touch or overlap a region of any shape, exactly tested. Ascending. Throws std::invalid_argument
   /// if the region is invalid. `cull` is cheaper.
   std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, const SceneQuery& query) const;
@@ -121,6 +144,11 @@ class SceneView {
   std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const {
     return overlapping(region, SceneQuery{.layers = layers});
   }
+
+  /// The objects that touch or overlap a shape, which need not be an object, and where: for each the `manifold` of the
+  /// shape and the object (query/manifold.hpp), bit for bit. Ascending. Throws std::invalid_argument if the shape is
+  /// invalid. `overlapping` is cheaper.
+  std::vector<ObjectTouch<N, T>> contacts_with(const AnyShape<N, T>& shape, const SceneQuery& query = {}) const;
 
   /// The objects whose boxes touch or overlap a region: cheaper, and never fewer than `overlapping`. Ascending. Throws
   /// std::invalid_argument if the region is invalid.
@@ -146,6 +174,12 @@ class SceneView {
   std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const {
     return nearest(point, count, SceneQuery{.layers = layers});
   }
+
+  /// The `count` objects nearest to a shape, which need not be an object, or all if there are fewer: by `distance`
+  /// (query/distance.hpp), bit for bit, ties by id; 0 for all that touch the shape. Empty compounds are never found,
+  /// and nothing is near an empty compound. Throws std::invalid_argument if the shape is invalid.
+  std::vector<NearObject<T>> nearest(const AnyShape<N, T>& shape, std::size_t count,
+                                     const SceneQuery& query = {}) const;
 
   /// The first object that a ray hits, of several the one with the lowest id; none beyond `t_max`, in units of the
   /// ray's direction: 1 makes it a segment. A ray that starts in an object hits it at t = 0 (query/ray_cast.hpp).
@@ -210,6 +244,11 @@ class SceneView {
 
   /// The objects whose boxes a ray meets up to t_max, up to rounding.
   std::vector<ObjectId> near_way(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const;
+
+  /// The `count` objects of the least `distance_to(shape)`, which is at least the distance of their boxes from a box.
+  template <class Measure>
+  std::vector<NearObject<T>> nearest_to(const Aabb<N, T>& from, std::size_t count, const SceneQuery& query,
+                                        const Measure& distance_to) const;
 
   /// The earliest of `find(shape)`, an optional impact, for the objects whose boxes a moving box may touch.
   template <class Find>

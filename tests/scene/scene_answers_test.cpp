@@ -32,8 +32,10 @@ Ids fill(World& scene, int count = 200) {
 ObjectId id_in(const ObjectId& id) { return id; }
 ObjectId id_in(const ObjectPair& pair) { return pair.a; }
 ObjectId id_in(const NearObject<double>& near) { return near.id; }
+ObjectId id_in(const NearPair<double>& near) { return near.pair.a; }
 ObjectId id_in(const ObjectHit<2, double>& hit) { return hit.id; }
 ObjectId id_in(const ObjectImpact<2, double>& impact) { return impact.id; }
+ObjectId id_in(const ObjectTouch<2, double>& touch) { return touch.id; }
 ObjectId id_in(const ObjectContact<2, double>& contact) { return contact.pair.a; }
 
 /// Moves and removes the objects in an answer and adds others while iterating over it; the answer must not change.
@@ -63,9 +65,12 @@ TEST(SceneAnswers, StayWhileTheLoopThroughThemMovesAddsAndRemoves) {
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.pairs(); });
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.candidates(); });
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.contacts(); });
+  expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.contacts_with(Ball{{50, 0}, 25}); });
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.overlapping(Ball{{50, 0}, 25}); });
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.cull(Ball{{50, 0}, 25}); });
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.nearest({50, 0}, 20); });
+  expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.nearest(Ball{{50, 0}, 1}, 20); });
+  expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.closest_pairs(1); });
   expect_to_stay_while_the_scene_changes([](const World& scene) { return scene.ray_cast_all({{-9, 0.5}, {1, 0}}); });
   expect_to_stay_while_the_scene_changes([](const World& scene) {
     return scene.shape_cast_all(Ball{{-9, 0.5}, 1}, {99, 0});

@@ -16,6 +16,7 @@
 #include <graze/math/random/linear_congruential.hpp>
 #include <graze/math/rotation.hpp>
 #include <graze/query/manifold.hpp>
+#include <graze/scene/plain_scene.hpp>
 #include <graze/scene/scene.hpp>
 
 #include "broad/thread_executor.hpp"
@@ -102,6 +103,55 @@ TEST(SceneContacts, CandidatesWithAMarginReachFarther) {
   }
 }
 
+TEST(SceneContacts, WithAShapeGoFromTheShapeToTheObjects) {
+  World scene;
+  const ObjectId floor = scene.add(HalfSpace<2, double>{{0, 1}, 0}, {.mobility = Mobility::fixed});
+  const ObjectId crate = scene.add(Box{{2, 0}, {4, 2}}, {.layer = 3, .mask = 0});
+  scene.add(Sphere<2, double>{{9, 9}, 1});
+  scene.add(Compound<2, double>{});
+  const Box body{{1, -0.25}, {2.5, 1}};
+  const std::vector<ObjectTouch<2, double>> touches = scene.contacts_with(body);
+  ASSERT_EQ(touches.size(), 2U);
+  EXPECT_EQ(touches[0].id, floor);
+  EXPECT_EQ(touches[0].manifold.normal, V2(0, -1));
+  EXPECT_EQ(touches[0].manifold.size, 2U);
+  EXPECT_EQ(touches[0].manifold.points[0].depth, 0.25);
+  EXPECT_EQ(touches[1].id, crate);
+  EXPECT_EQ(touches[1].manifold.normal, V2(1, 0));
+  EXPECT_EQ(touches[1].manifold.points[0].depth, 0.5);
+  EXPECT_EQ(scene.contacts_with(body, {.layers = only_layer(3)}).at(0).id, crate);
+  EXPECT_EQ(scene.contacts_with(body, {.except = {&crate, 1}}).at(0).id, floor);
+  EXPECT_EQ(scene.contacts_with(body, {.predicate = [&](ObjectId id) { return id != floor; }}).at(0).id, crate);
+  EXPECT_TRUE(scene.contacts_with(Box{{5, 1}, {6, 2}}).empty());
+  EXPECT_TRUE(scene.contacts_with(Compound<2, double>{}).empty());
+  EXPECT_EQ(scene.contacts_with(Plane<2, double>{{0, 1}, 1}).at(0).id, crate);
+  EXPECT_EQ(scene.snapshot()->contacts_with(body), touches);
+}
+
+TEST(SceneContacts, WithAnInvalidShapeAreRefused) {
+  const Sphere<2, double> bad{{0, 0}, -1};
+  PlainScene<2, double> plain;
+  EXPECT_THROW(plain.contacts_with(bad), std::invalid_argument);
+  EXPECT_THROW(World().contacts_with(V2(std::numeric_limits<double>::quiet_NaN(), 0)), std::invalid_argument);
+  try {
+    World().contacts_with(bad);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "Scene: the shape, a sphere, has a negative radius");
+  }
+}
+
+/// Whether the touches of a shape are its manifolds with each object.
+template <Dim N, class T>
+bool touches_what_each_object_says(const Scene<N, T>& scene, const AnyShape<N, T>& shape) {
+  std::vector<ObjectTouch<N, T>> expected;
+  for (const ObjectId id : scene.ids()) {
+    const Manifold<N, T> found = manifold(shape, scene.object(id).shape);
+    if (found.size > 0) expected.push_back({id, found});
+  }
+  return scene.contacts_with(shape) == expected;
+}
+
 template <Dim N, class T>
 void check_against_every_pair() {
   const auto shapes = *test::some<AnyShape<N, T>>(12, test::any_shape<N, T>());
@@ -118,6 +168,8 @@ void check_against_every_pair() {
   }
   RC_ASSERT(scene.contacts() == expected);
   RC_ASSERT(scene.contacts(serial_executor()) == expected);
+  for (const AnyShape<N, T>& shape : shapes) RC_ASSERT((touches_what_each_object_says<N, T>(scene, shape)));
+  RC_ASSERT((touches_what_each_object_says<N, T>(scene, *test::any_shape<N, T>())));
 }
 
 RC_GTEST_PROP(SceneContacts, AreTheManifoldsOfAllPairs2f, ()) { check_against_every_pair<2, float>(); }

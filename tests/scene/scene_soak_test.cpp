@@ -35,6 +35,11 @@ bool same_near(const NearObject<T>& a, const NearObject<T>& b) {
   return same_id(a.id, b.id) && a.distance == b.distance;
 }
 
+template <class T>
+bool same_near_pair(const NearPair<T>& a, const NearPair<T>& b) {
+  return same_pair(a.pair, b.pair) && a.distance == b.distance;
+}
+
 template <Dim N, class T>
 bool same_hit(const ObjectHit<N, T>& a, const ObjectHit<N, T>& b) {
   return same_id(a.id, b.id) && a.hit == b.hit;
@@ -43,6 +48,11 @@ bool same_hit(const ObjectHit<N, T>& a, const ObjectHit<N, T>& b) {
 template <Dim N, class T>
 bool same_impact(const ObjectImpact<N, T>& a, const ObjectImpact<N, T>& b) {
   return same_id(a.id, b.id) && a.impact == b.impact;
+}
+
+template <Dim N, class T>
+bool same_touch(const ObjectTouch<N, T>& a, const ObjectTouch<N, T>& b) {
+  return same_id(a.id, b.id) && a.manifold == b.manifold;
 }
 
 template <Dim N, class T>
@@ -200,7 +210,11 @@ class SceneSoak {
   void ask(const SceneView<N, T>& view) {
     const double kind = chance();
     const LayerMask layers = chance() < 0.5 ? all_layers : only_layer(1);
-    if (kind < 0.25) {
+    if (kind < 0.1) {
+      const Shape shape = any_region();
+      compare(view.contacts_with(shape, {.layers = layers}), judge_.contacts_with(shape, {.layers = layers}),
+              same_touch<N, T>);
+    } else if (kind < 0.25) {
       const Shape region = any_region();
       compare(view.overlapping(region, layers), judge_.overlapping(region, layers), same_id);
     } else if (kind < 0.35) {
@@ -209,6 +223,9 @@ class SceneSoak {
     } else if (kind < 0.45) {
       const Frustum<N, T> frustum = any_frustum();
       compare(view.cull(frustum, layers), judge_.cull(frustum, layers), same_id);
+    } else if (kind < 0.55) {
+      const Shape shape = any_region();
+      compare(view.nearest(shape, 4, {.layers = layers}), judge_.nearest(shape, 4, {.layers = layers}), same_near<T>);
     } else if (kind < 0.65) {
       const Vec<N, T> point = place();
       compare(view.nearest(point, 4, layers), judge_.nearest(point, 4, layers), same_near<T>);
@@ -255,6 +272,8 @@ class SceneSoak {
     std::vector<ObjectPair> touching;
     for (const ObjectContact<N, T>& contact : expected) touching.push_back(contact.pair);
     compare(view.pairs(), touching, same_pair);
+    const T within = length(0.2);
+    compare(view.closest_pairs(within), judge_.closest_pairs(within), same_near_pair<T>);
   }
 
   /// As large as an object, or up to as wide as the world.

@@ -24,6 +24,7 @@
 #include <graze/scene/object.hpp>
 #include <graze/scene/storage/shared_slots.hpp>
 #include <graze/scene/storage/slot_list.hpp>
+#include <graze/shape/aabb.hpp>
 #include <graze/shape/ray.hpp>
 
 namespace graze::detail {
@@ -104,11 +105,11 @@ class SlotIndex {
     graze::detail::visit_swept(tree_, sweep, [&visit](const BvhName& name) { return visit(name.slot); });
   }
 
-  /// The k boxes nearest to the point, or all if there are fewer; the index of each key is the slot.
-  std::vector<Neighbour> nearest(const Vec<N, T>& point, std::size_t k) const {
+  /// The k boxes nearest to a box, which may be a point, or all if there are fewer; the index of each key is the slot.
+  std::vector<Neighbour> nearest(const Aabb<N, T>& from, std::size_t k) const {
     if (k == 0 || size_ == 0) return {};
     NearestKeys nearest(std::min(k, size_));
-    find_near(tree_, point, nearest);
+    find_near(tree_, from, nearest);
     return nearest.sorted();
   }
 
