@@ -70,11 +70,13 @@ struct PairFilter {
   LayerMask mask = all_layers;
   Layer layer = 0;
   Mobility mobility = Mobility::moving;
+  bool has_exceptions = false;  ///< It is in an excepted pair.
 
   /// True if it can be a pair with every object that admits it.
-  bool admits_all() const { return mask == all_layers && mobility == Mobility::moving; }
+  bool admits_all() const { return mask == all_layers && mobility == Mobility::moving && !has_exceptions; }
 };
 
+/// By layers, masks and mobility; excepted pairs are not considered.
 inline bool may_touch(const PairFilter& a, const PairFilter& b) {
   if (a.mobility == Mobility::fixed && b.mobility == Mobility::fixed) return false;
   return filters_admit(a.layer, a.mask, b.layer, b.mask);
@@ -82,7 +84,7 @@ inline bool may_touch(const PairFilter& a, const PairFilter& b) {
 
 template <Dim N, class T>
 PairFilter filter_of(const Object<N, T>& object) {
-  return {object.mask, object.layer, object.mobility};
+  return {object.mask, object.layer, object.mobility, false};
 }
 
 /// The object's box, ready for touching_bounds to grow.
@@ -100,7 +102,7 @@ Aabb<N, T> touching_bounds(const Object<N, T>& object) {
 }
 
 /// True if two objects can be a pair: both masks contain the other's layer, and not both are fixed. Other pairs are
-/// never tested.
+/// never tested, nor are those that Scene::except names, which are not considered here.
 template <Dim N, class T>
 bool may_touch(const Object<N, T>& a, const Object<N, T>& b) {
   return detail::may_touch(detail::filter_of(a), detail::filter_of(b));

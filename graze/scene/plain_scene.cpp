@@ -36,6 +36,8 @@ T distance_between(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   return std::holds_alternative<Plane<N, T>>(shape) ? std::fabs(distance) : std::max(distance, T(0));
 }
 
+ObjectPair in_order(const ObjectId& a, const ObjectId& b) { return a < b ? ObjectPair{a, b} : ObjectPair{b, a}; }
+
 /// The first result, or none.
 template <class Result>
 std::optional<Result> first_of(const std::vector<Result>& results) {
@@ -46,7 +48,7 @@ std::optional<Result> first_of(const std::vector<Result>& results) {
 }  // namespace
 
 template <Dim N, class T>
-Object<N, T>& PlainScene<N, T>::at(ObjectId id) {
+const Object<N, T>& PlainScene<N, T>::at(ObjectId id) const {
   const auto found = objects_.find(id);
   if (found == objects_.end()) throw std::out_of_range("PlainScene: the id names no object");
   return found->second;
@@ -78,8 +80,9 @@ void PlainScene<N, T>::plan_ids(std::span<const ObjectId> next, std::span<const 
 
 template <Dim N, class T>
 void PlainScene<N, T>::move(ObjectId id, AnyShape<N, T> shape) {
-  Object<N, T>& moved = at(id);
+  at(id);
   require(is_valid(shape), "the shape is not valid");
+  Object<N, T>& moved = objects_.at(id);
   moved.box = bounds(shape);
   moved.shape = std::move(shape);
 }
@@ -98,6 +101,30 @@ void PlainScene<N, T>::remove(ObjectId id) {
   at(id);
   objects_.erase(id);
   ids_.release(id.index);
+  std::erase_if(exceptions_, [id](const ObjectPair& pair) { return pair.a == id || pair.b == id; });
+}
+
+template <Dim N, class T>
+bool PlainScene<N, T>::excepted(ObjectId a, ObjectId b) const {
+  at(a);
+  at(b);
+  require(a != b, "an object is never a pair with itself");
+  return exceptions_.contains(in_order(a, b));
+}
+
+template <Dim N, class T>
+void PlainScene<N, T>::except(ObjectId a, ObjectId b) {
+  if (!excepted(a, b)) exceptions_.insert(in_order(a, b));
+}
+
+template <Dim N, class T>
+void PlainScene<N, T>::accept(ObjectId a, ObjectId b) {
+  if (excepted(a, b)) exceptions_.erase(in_order(a, b));
+}
+
+template <Dim N, class T>
+bool PlainScene<N, T>::may_be_pair(const ObjectPair& pair) const {
+  return may_touch(objects_.at(pair.a), objects_.at(pair.b)) && !exceptions_.contains(pair);
 }
 
 template <Dim N, class T>
@@ -140,7 +167,7 @@ std::vector<ObjectPair> PlainScene<N, T>::candidates(double margin) const {
   std::vector<ObjectPair> result;
   for (const Pair& pair : overlapping_pairs(boxes, options)) {
     const ObjectPair found{ids[pair.a], ids[pair.b]};
-    if (may_touch(objects_.at(found.a), objects_.at(found.b))) result.push_back(found);
+    if (may_be_pair(found)) result.push_back(found);
   }
   return result;
 }
@@ -170,7 +197,7 @@ std::vector<NearPair<T>> PlainScene<N, T>::closest_pairs(T within) const {
   std::vector<NearPair<T>> result;
   for (auto a = objects_.begin(); a != objects_.end(); ++a) {
     for (auto b = std::next(a); b != objects_.end(); ++b) {
-      if (!may_touch(a->second, b->second)) continue;
+      if (!may_be_pair({a->first, b->first})) continue;
       const T found = distance(a->second.shape, b->second.shape);
       if (found <= within) result.push_back({{a->first, b->first}, found});
     }

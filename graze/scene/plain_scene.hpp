@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,10 @@ class PlainScene {
   void move(std::span<const ObjectMove<N, T>> moves);
   /// As Scene::remove.
   void remove(ObjectId id);
+  /// As Scene::except.
+  void except(ObjectId a, ObjectId b);
+  /// As Scene::accept.
+  void accept(ObjectId a, ObjectId b);
   /// As Scene::layer.
   Layer layer(std::string_view name);
   /// As Scene::update, but returns the events by value.
@@ -49,6 +54,10 @@ class PlainScene {
 
   /// As SceneView::find. Takes linear time.
   std::optional<ObjectId> find(std::string_view name) const;
+  /// As SceneView::excepted.
+  bool excepted(ObjectId a, ObjectId b) const;
+  /// As SceneView::excepted_pairs.
+  std::vector<ObjectPair> excepted_pairs() const { return {exceptions_.begin(), exceptions_.end()}; }
   /// As SceneView::candidates. Tests all pairs.
   std::vector<ObjectPair> candidates(double margin = 0) const;
   /// As SceneView::pairs. Tests all pairs.
@@ -111,7 +120,8 @@ class PlainScene {
                                                    const SceneQuery& query = {}) const;
 
  private:
-  Object<N, T>& at(ObjectId id);
+  const Object<N, T>& at(ObjectId id) const;
+  bool may_be_pair(const ObjectPair& pair) const;
   template <class R>
   std::vector<ObjectId> near(const R& region, const SceneQuery& query) const;
   template <class Measure>
@@ -121,6 +131,7 @@ class PlainScene {
 
   std::map<ObjectId, Object<N, T>> objects_;  // in the order of results
   detail::KeyTable ids_{max_objects};         // vacant places are a stack
+  std::set<ObjectPair> exceptions_;
   std::vector<std::string> layer_names_;
   std::vector<ObjectPair> touching_;  // at the last update
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -238,11 +239,33 @@ template <Dim N, class T>
 void Scene<N, T>::remove(ObjectId id) {
   this->object(id);
   std::optional<Object<N, T>>& place = objects_.change(id.index);
+  detail::PairExceptions* const exceptions = exceptions_->has_any(id.index) ? &exceptions_.change() : nullptr;
   if (!place->name.empty()) names_.change().erase(place->name);
   place.reset();
   ids_.release(id.index);
   index_.note(id.index);
   keeper_.note_gone(id.index);
+  is_current_ = false;
+  if (exceptions == nullptr) return;
+  exceptions->remove_all_of(id.index,
+                            [&](std::uint32_t other) { keeper_.note_exceptions(other, exceptions->has_any(other)); });
+}
+
+template <Dim N, class T>
+void Scene<N, T>::except(ObjectId a, ObjectId b) {
+  if (this->excepted(a, b)) return;
+  exceptions_.change().add(a.index, b.index);
+  keeper_.note_exceptions(a.index, true);
+  keeper_.note_exceptions(b.index, true);
+  is_current_ = false;
+}
+
+template <Dim N, class T>
+void Scene<N, T>::accept(ObjectId a, ObjectId b) {
+  if (!this->excepted(a, b)) return;
+  detail::PairExceptions& exceptions = exceptions_.change();
+  exceptions.remove(a.index, b.index);
+  for (const std::uint32_t slot : {a.index, b.index}) keeper_.note_exceptions(slot, exceptions.has_any(slot));
   is_current_ = false;
 }
 
@@ -261,7 +284,7 @@ Layer Scene<N, T>::layer(std::string_view name) {
 /// Everything that can fail comes before the first visible change.
 template <Dim N, class T>
 const SceneEvents& Scene<N, T>::update(const Executor& executor) {
-  if (keeper_.find(objects_, executor) == detail::PairPlan::mend) {
+  if (keeper_.find(objects_, executor, detail::PairPlan::automatic, *exceptions_) == detail::PairPlan::mend) {
     next_edit_.plan(*events_, keeper_.began(), keeper_.ended(), ids_);
     SceneEvents& events = events_.change();
     next_edit_.make_room(events);

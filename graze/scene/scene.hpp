@@ -82,6 +82,15 @@ class Scene : public SceneView<N, T> {
   /// Removes an object; its id is never valid again. Throws std::out_of_range if the id names no object.
   void remove(ObjectId id);
 
+  /// Excludes a pair of objects: from now on no query or update reports it. If it touched at the last update, the next
+  /// one ends it. Objects in excepted pairs are found by all other queries, and cost an update a lookup for each
+  /// candidate whose objects are both in such pairs. Removing an object forgets its exceptions. Throws
+  /// std::out_of_range if an id names no object and std::invalid_argument if both name the same.
+  void except(ObjectId a, ObjectId b);
+
+  /// Undoes `except`: the pair is reported again if it touches. Throws likewise.
+  void accept(ObjectId a, ObjectId b);
+
   /// The layer with this name, created if there is none. Throws std::length_error beyond `max_layers`.
   Layer layer(std::string_view name);
 
@@ -103,6 +112,7 @@ class Scene : public SceneView<N, T> {
  private:
   using View = SceneView<N, T>;
   using View::events_;
+  using View::exceptions_;
   using View::ids_;
   using View::index_;
   using View::is_current_;

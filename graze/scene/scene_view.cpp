@@ -23,6 +23,7 @@ std::shared_ptr<const SceneView<N, T>> SceneView<N, T>::share() {
   view->index_ = index_.share(objects_);
   view->objects_ = objects_.share();
   view->names_ = names_.share();
+  view->exceptions_ = exceptions_.share();
   return view;
 }
 
@@ -69,6 +70,26 @@ std::vector<ObjectId> SceneView<N, T>::ids() const {
 }
 
 template <Dim N, class T>
+void SceneView<N, T>::require_two_objects(ObjectId a, ObjectId b) const {
+  object(a);
+  object(b);
+  if (a == b) throw std::invalid_argument("Scene: an object is never a pair with itself; except names two objects");
+}
+
+template <Dim N, class T>
+bool SceneView<N, T>::excepted(ObjectId a, ObjectId b) const {
+  require_two_objects(a, b);
+  return exceptions_->contains(a.index, b.index);
+}
+
+template <Dim N, class T>
+std::vector<ObjectPair> SceneView<N, T>::excepted_pairs() const {
+  std::vector<ObjectPair> result;
+  for (const Pair& pair : exceptions_->all()) result.push_back({id_of(pair.a), id_of(pair.b)});
+  return result;
+}
+
+template <Dim N, class T>
 std::vector<ObjectPair> SceneView<N, T>::candidates(double margin) const {
   const PairOptions options = detail::candidate_options<T>(margin);
   std::vector<Aabb<N, T>> boxes(ids_.slots(), Aabb<N, T>::nothing());
@@ -77,7 +98,8 @@ std::vector<ObjectPair> SceneView<N, T>::candidates(double margin) const {
   }
   std::vector<ObjectPair> result;
   for (const Pair& pair : overlapping_pairs(boxes, options)) {
-    if (may_touch(in_slot(pair.a), in_slot(pair.b))) result.push_back({id_of(pair.a), id_of(pair.b)});
+    if (!may_touch(in_slot(pair.a), in_slot(pair.b)) || exceptions_->contains(pair.a, pair.b)) continue;
+    result.push_back({id_of(pair.a), id_of(pair.b)});
   }
   return result;
 }

@@ -27,6 +27,7 @@
 #include <graze/scene/object.hpp>
 #include <graze/scene/scene_query.hpp>
 #include <graze/scene/storage/object_index.hpp>
+#include <graze/scene/storage/pair_exceptions.hpp>
 #include <graze/scene/storage/shared_slots.hpp>
 #include <graze/scene/storage/shared_value.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -88,9 +89,11 @@ struct ObjectContact {
   friend bool operator==(const ObjectContact&, const ObjectContact&) = default;
 };
 
-/// Queries on the objects of a scene. All are const and safe from many threads at once while none writes to the scene;
-/// nothing writes to a snapshot. Queries for objects take a mask and find only objects on its layers, or a SceneQuery,
-/// which can also leave out single objects. Instantiated for 2D and 3D, float and double.
+/// Queries on the objects of a scene. Pairs are admitted by filters unless one of the masks lacks the other object's
+/// layer, both objects are fixed, or the pair is excepted. All queries are const and safe from many threads at once
+/// while none writes to the scene; nothing writes to a snapshot. Queries for objects take a mask and find only objects
+/// on its layers, or a SceneQuery, which can also leave out single objects. Instantiated for 2D and 3D, float and
+/// double.
 template <Dim N, class T = float>
 class SceneView {
  public:
@@ -113,6 +116,12 @@ class SceneView {
 
   /// All ids, ascending: in the order of adding as long as nothing is removed.
   std::vector<ObjectId> ids() const;
+
+  /// Whether Scene::except has named these two objects, in any order. Throws like it.
+  bool excepted(ObjectId a, ObjectId b) const;
+
+  /// All excepted pairs. Ascending.
+  std::vector<ObjectPair> excepted_pairs() const;
 
   /// Number of objects.
   std::size_t size() const { return ids_.size(); }
@@ -235,6 +244,10 @@ class SceneView {
 
   /// The object in a slot, which must be taken.
   const Object<N, T>& in_slot(std::uint32_t slot) const { return *objects_[slot]; }
+
+  /// Throws unless the ids name two different objects.
+  void require_two_objects(ObjectId a, ObjectId b) const;
+
   /// The index of the boxes, up to date.
   const detail::SlotIndex<N, T>& index() const { return index_.over(objects_); }
 
@@ -255,13 +268,14 @@ class SceneView {
   std::optional<ObjectImpact<N, T>> first_impact(const detail::SweptBox<N>& sweep, const SceneQuery& query,
                                                  const Find& find) const;
 
-  detail::KeyTable ids_{max_objects};          ///< Which slots are taken, and their ids.
-  detail::SharedSlots<Object<N, T>> objects_;  ///< By slot, the index of an id.
-  detail::SharedValue<Names> names_;           ///< Of the objects that have a name.
-  std::vector<std::string> layer_names_;       ///< By layer.
-  detail::ObjectIndex<N, T> index_;            ///< Finds objects by their boxes.
-  detail::SharedValue<SceneEvents> events_;    ///< Those of the last update.
-  bool is_current_ = false;                    ///< True if nothing has changed since the last update.
+  detail::KeyTable ids_{max_objects};                       ///< Which slots are taken, and their ids.
+  detail::SharedSlots<Object<N, T>> objects_;               ///< By slot, the index of an id.
+  detail::SharedValue<Names> names_;                        ///< Of the objects that have a name.
+  std::vector<std::string> layer_names_;                    ///< By layer.
+  detail::ObjectIndex<N, T> index_;                         ///< Finds objects by their boxes.
+  detail::SharedValue<detail::PairExceptions> exceptions_;  ///< By slots: the excepted pairs.
+  detail::SharedValue<SceneEvents> events_;                 ///< Those of the last update.
+  bool is_current_ = false;                                 ///< True if nothing has changed since the last update.
 
   /// @endcond
 };

@@ -37,7 +37,9 @@ void visit_candidates(const SceneView<N, T>& scene, const CandidateVisitor& visi
   const auto take = [&](std::span<const Pair> pairs) {
     for (const Pair& pair : pairs) {
       const ObjectPair candidate{ids[pair.a], ids[pair.b]};
-      if (may_touch(scene.object(candidate.a), scene.object(candidate.b))) block.push_back(candidate);
+      const bool is_admitted =
+          may_touch(scene.object(candidate.a), scene.object(candidate.b)) && !scene.excepted(candidate.a, candidate.b);
+      if (is_admitted) block.push_back(candidate);
       if (block.size() == block_size && !give()) return false;
     }
     return give();

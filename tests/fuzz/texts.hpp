@@ -104,6 +104,7 @@ void require_same_scene(const Scene<N, double>& read, const Scene<N, double>& ag
     };
   };
   require(same_ids(read.ids(), again.ids()) && same_ids(read.vacant_ids(), again.vacant_ids()), say("ids"));
+  require(read.excepted_pairs().size() == again.excepted_pairs().size(), say("excepted pairs"));
   const std::vector<ObjectId> ids = read.ids();
   const std::vector<ObjectId> ids_again = again.ids();
   for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -30,6 +30,7 @@ Scene<3> world() {
   scene.remove(gone);
   scene.add(Capsule<3>{{0, 0, 0}, {0, 0, 5.3F}, std::numeric_limits<float>::denorm_min()}, {.name = "rope"});
   scene.remove(scene.find("rope").value());
+  scene.except(scene.find("ball").value(), scene.find("floor").value());
   return scene;
 }
 
@@ -56,6 +57,11 @@ void expect_same(const Scene<3, T>& found, const Scene<3, T>& expected) {
     EXPECT_EQ(object.user, other.user);
     EXPECT_EQ(object.mobility, other.mobility);
   }
+  const std::vector<ObjectPair> excepted = found.excepted_pairs();
+  const std::vector<ObjectPair> expected_excepted = expected.excepted_pairs();
+  EXPECT_TRUE(std::equal(
+      excepted.begin(), excepted.end(), expected_excepted.begin(), expected_excepted.end(),
+      [&](const ObjectPair& a, const ObjectPair& b) { return is_same_place(a.a, b.a) && is_same_place(a.b, b.b); }));
   EXPECT_EQ(found.pairs().size(), expected.pairs().size());
 }
 

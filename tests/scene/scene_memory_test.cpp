@@ -88,6 +88,10 @@ std::size_t change_in_every_way(World& scene, const Ids& ids) {
   const std::vector<Box> boxes(60, Box{{20, 0}, {21, 1}});
   change([&](World& world) { world.move(many, boxes); });
   change([&](World& world) { world.update(serial_executor()); });
+  change([&](World& world) { world.except(ids[6], ids[7]); });
+  change([&](World& world) { world.except(ids[9], ids[8]); });
+  change([&](World& world) { world.update(serial_executor()); });
+  change([&](World& world) { world.accept(ids[8], ids[9]); });
   change([&](World& world) { world.remove(ids[6]); });
   change([&](World& world) { world.remove(*world.find(name)); });
   change([&](World& world) { world.add(Ball{{1, 0}, 1}); });  // in a reused slot
@@ -167,6 +171,8 @@ TEST(SceneMemory, ThatRunsOutInAQueryChangesNoAnswer) {
     ask([](const World& world) { return world.overlapping(Ball{{50, 0}, 20}); });
     ask([](const World& world) { return world.cull(Ball{{50, 0}, 20}); });
     ask([](const World& world) { return world.nearest({50, 0}, 20); });
+    ask([](const World& world) { return world.nearest(Ball{{50, 0}, 1}, 20); });
+    ask([](const World& world) { return world.contacts_with(Ball{{50, 0}, 9}); });
     ask([](const World& world) { return world.ray_cast_all({{-9, 0.25}, {1, 0}}); });
     ask([](const World& world) { return world.ray_cast({{-9, 0.25}, {1, 0}}); });
   }

@@ -17,6 +17,7 @@ struct SceneSight {
   std::vector<ObjectId> vacant;
   std::vector<std::pair<std::string, Aabb<N, T>>> objects;
   std::vector<std::string> layers;
+  std::vector<ObjectPair> excepted;
   std::vector<ObjectPair> candidates;
   std::vector<ObjectPair> pairs;
   std::vector<ObjectPair> began;
@@ -40,6 +41,7 @@ SceneSight<N, T> ray_verdict_of(const Scene<N, T>& scene) {
     verdict.objects.emplace_back(is_found ? object.name : "not found", object.box);
   }
   verdict.layers = scene.layer_names();
+  verdict.excepted = scene.excepted_pairs();
   verdict.candidates = scene.candidates();
   verdict.pairs = scene.pairs();
   verdict.began = scene.events().began;

@@ -109,6 +109,8 @@ class SceneSoak {
     const double kind = chance();
     if (kind < 0.15) {
       ask();
+    } else if (kind < 0.2 && held_.size() > 1) {
+      except_or_accept();
     } else if (kind < 0.45 && !held_.empty()) {
       move();
     } else if (kind < (is_quick_ ? 0.6 : 0.47)) {
@@ -180,6 +182,24 @@ class SceneSoak {
     held_[number] = held_.back();
     held_.pop_back();
     require(!scene_.contains(held.id) && scene_.size() == held_.size());
+  }
+
+  /// Of two arbitrary objects, or of two that touch.
+  void except_or_accept() {
+    const std::vector<ObjectPair> touching = chance() < 0.1 ? judge_.pairs() : std::vector<ObjectPair>();
+    ObjectPair judged{held_[pick()].judged, held_[pick()].judged};
+    if (!touching.empty()) judged = touching[touching.size() / 2];
+    if (judged.a == judged.b) return;
+    const ObjectId a = *scene_.find(judged.a.index, judged.a.generation);
+    const ObjectId b = *scene_.find(judged.b.index, judged.b.generation);
+    if (const bool is_excepted = chance() < 0.7; is_excepted) {
+      scene_.except(a, b);
+      judge_.except(judged.b, judged.a);
+    } else {
+      scene_.accept(b, a);
+      judge_.accept(judged.a, judged.b);
+    }
+    require(scene_.excepted(a, b) == judge_.excepted(judged.a, judged.b));
   }
 
   void update() {
@@ -272,6 +292,7 @@ class SceneSoak {
     std::vector<ObjectPair> touching;
     for (const ObjectContact<N, T>& contact : expected) touching.push_back(contact.pair);
     compare(view.pairs(), touching, same_pair);
+    compare(view.excepted_pairs(), judge_.excepted_pairs(), same_pair);
     const T within = length(0.2);
     compare(view.closest_pairs(within), judge_.closest_pairs(within), same_near_pair<T>);
   }

@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -22,8 +25,8 @@
 namespace graze::io {
 namespace {
 
-constexpr std::array<std::string_view, 6> scene_fields = {"schema", "dimension",  "y_axis",
-                                                          "layers", "vacant_ids", "objects"};
+constexpr std::array<std::string_view, 7> scene_fields = {"schema",     "dimension",      "y_axis", "layers",
+                                                          "vacant_ids", "excepted_pairs", "objects"};
 constexpr std::array<std::string_view, 7> object_fields = {"id", "name", "layer", "mask", "fixed", "user", "velocity"};
 
 /// The layer of objects without one, in a file where other objects have a layer.
@@ -83,7 +86,10 @@ bool read_flag(JsonValue value, const JsonFieldName& name, const JsonPlace& plac
 template <Dim N>
 class ObjectReader {
  public:
-  explicit ObjectReader(const JsonFields& scene) : document_place_(scene.place()), objects_(scene.array("objects")) {
+  explicit ObjectReader(const JsonFields& scene)
+      : document_place_(scene.place()),
+        objects_(scene.array("objects")),
+        excepted_pairs_(scene.find("excepted_pairs")) {
     read_layers(scene);
     collect_names();
     const SavedIds ids = read_saved_ids(scene);
@@ -94,6 +100,7 @@ class ObjectReader {
   AnyScene read(std::vector<ObjectVelocity>& velocities) {
     std::size_t index = 0;
     for (const JsonValue object : objects_.items()) add(object, index++);
+    if (excepted_pairs_) except(*excepted_pairs_);
     velocities = std::move(velocities_);
     return std::move(scene_);
   }
@@ -155,6 +162,7 @@ class ObjectReader {
     if (options.name.empty()) options.name = name_for_unnamed(index);
     try {
       const ObjectId id = scene_.add(std::move(shape), std::move(options));
+      ids_.push_back(id);
       if (const auto velocity = object.find("velocity")) {
         const Vec<N, double> read = read_vector<N>(*velocity, {"velocity"}, place);
         Vec<3, double>& kept = velocities_.emplace_back(ObjectVelocity{id, Vec<3, double>(0)}).velocity;
@@ -163,6 +171,38 @@ class ObjectReader {
     } catch (const std::invalid_argument& refusal) {
       throw place.error(object.offset(), refusal.what());
     }
+  }
+
+  void except(JsonValue pairs) {
+    std::size_t number = 0;
+    for (const JsonValue value : read_array(pairs, {"excepted_pairs"}, document_place_).items()) {
+      const JsonFieldName name{"excepted_pairs", number++};
+      std::vector<ObjectId> pair;
+      for (const JsonValue object : read_array(value, name, document_place_).items()) {
+        pair.push_back(object_called(object, name));
+      }
+      if (pair.size() != 2 || pair[0] == pair[1]) {
+        throw document_place_.error(
+            value.offset(), fmt::format("\"{}\"[{}] must name two different objects", name.name, *name.element));
+      }
+      scene_.except(pair[0], pair[1]);
+    }
+  }
+
+  /// An object by its name or by its number in the file.
+  ObjectId object_called(JsonValue value, const JsonFieldName& name) const {
+    if (value.kind() != JsonKind::text) {
+      const std::uint64_t number = read_whole(value, name, document_place_);
+      if (number < ids_.size()) return ids_[number];
+      throw document_place_.error(value.offset(),
+                                  fmt::format("there is no object {}; the scene has {}", number, ids_.size()));
+    }
+    const auto found = scene_.find(value.text());
+    if (found) return *found;
+    std::vector<std::string_view> names;
+    for (const ObjectId& id : ids_) names.push_back(scene_.object(id).name);
+    throw document_place_.error(value.offset(), fmt::format("there is no object {}{}", in_quotes(value.text()),
+                                                            did_you_mean(value.text(), names)));
   }
 
   ObjectOptions read_options(JsonValue object, const JsonPlace& place) {
@@ -211,7 +251,9 @@ class ObjectReader {
 
   const JsonPlace& document_place_;
   JsonValue objects_;
+  std::optional<JsonValue> excepted_pairs_;
   Scene<N, double> scene_;
+  std::vector<ObjectId> ids_;  // by number in the file
   std::vector<ObjectVelocity> velocities_;
   std::unordered_map<std::string_view, std::size_t> index_by_name_;
   bool uses_layers_ = false;

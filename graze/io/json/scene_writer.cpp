@@ -85,6 +85,22 @@ bool has_ids_of_its_own(const Scene<N, double>& scene) {
   return std::any_of(ids.begin(), ids.end(), [](const ObjectId& id) { return id.generation != 1; });
 }
 
+/// The excepted pairs by the names of objects, or by their numbers in the file if they have no name.
+template <Dim N>
+std::string json_excepted_pairs(const Scene<N, double>& scene, const std::vector<ObjectPair>& pairs) {
+  const std::vector<ObjectId> ids = scene.ids();
+  const auto called = [&](const ObjectId& id) {
+    const std::string& name = scene.object(id).name;
+    if (!name.empty()) return quoted_name(name);
+    return fmt::format("{}", std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
+  };
+  std::string text = "[";
+  for (const auto& [a, b] : pairs) {
+    text += (text.size() == 1 ? "[" : ", [") + called(a) + ", " + called(b) + ']';
+  }
+  return text + ']';
+}
+
 template <Dim N>
 std::string json_velocity(const Vec<3, double>& velocity) {
   std::string text = ", \"velocity\": [";
@@ -128,6 +144,9 @@ void write(std::ostream& out, const Scene<N, double>& scene, const SceneFile& fi
     text += "  \"vacant_ids\": [";
     for (const ObjectId& id : vacant) text += (id == vacant.front() ? "" : ", ") + json_id(id);
     text += "],\n";
+  }
+  if (const std::vector<ObjectPair> pairs = scene.excepted_pairs(); !pairs.empty()) {
+    text += "  \"excepted_pairs\": " + json_excepted_pairs(scene, pairs) + ",\n";
   }
   std::unordered_map<std::uint32_t, std::string> velocities;  // by the index of an id
   for (const ObjectVelocity& each : file.velocities) velocities[each.id.index] = json_velocity<N>(each.velocity);

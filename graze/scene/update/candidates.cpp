@@ -138,10 +138,24 @@ void Candidates<N, T>::reserve(std::size_t slots) {
 }
 
 template <Dim N, class T>
-void Candidates<N, T>::put(std::uint32_t slot, const Box& box, const PairFilter& filter) noexcept {
+void Candidates<N, T>::set_filter(std::uint32_t slot, const PairFilter& filter) noexcept {
   choosy_ += filter.admits_all() ? 0 : 1;
   choosy_ -= filters_[slot].admits_all() ? 0 : 1;
   filters_[slot] = filter;
+}
+
+template <Dim N, class T>
+void Candidates<N, T>::set_exceptions(std::uint32_t slot, bool has_exceptions) noexcept {
+  PairFilter filter = filters_[slot];
+  filter.has_exceptions = has_exceptions;
+  set_filter(slot, filter);
+  is_stray_[slot] = 1;
+  has_new_ = true;
+}
+
+template <Dim N, class T>
+void Candidates<N, T>::put(std::uint32_t slot, const Box& box, const PairFilter& filter) noexcept {
+  set_filter(slot, filter);
   boxes_[slot] = box;
   margins_[slot] = 0;
   is_stray_[slot] = 1;
@@ -203,17 +217,19 @@ void Candidates<N, T>::measure_sides(std::size_t slots) noexcept {
 }
 
 template <Dim N, class T>
-std::span<const Pair> Candidates<N, T>::list(std::size_t slots, const Executor& executor) {
+std::span<const Pair> Candidates<N, T>::list(std::size_t slots, const Executor& executor,
+                                             const PairExceptions& exceptions) {
   if (form_ == Form::list && !has_new_ && have_stayed(slots)) {
     ++uses_;
     return list_;
   }
-  make_list(slots, margin_for_all(), executor);
+  make_list(slots, margin_for_all(), executor, exceptions);
   return list_;
 }
 
 template <Dim N, class T>
-void Candidates<N, T>::make_list(std::size_t slots, T margin, const Executor& executor) {
+void Candidates<N, T>::make_list(std::size_t slots, T margin, const Executor& executor,
+                                 const PairExceptions& exceptions) {
   form_ = Form::none;
   ++list_number_;
   margin_ = margin;
@@ -223,7 +239,7 @@ void Candidates<N, T>::make_list(std::size_t slots, T margin, const Executor& ex
   if (choosy_ > 0) {
     admitted_.clear();
     for (const Pair& pair : list_) {
-      if (is_admitted(pair)) admitted_.push_back(pair);
+      if (is_admitted(pair, exceptions)) admitted_.push_back(pair);
     }
     list_ = admitted_;
   }
@@ -250,10 +266,11 @@ T Candidates<N, T>::margin_for_graph(std::size_t slots) const {
 }
 
 template <Dim N, class T>
-void Candidates<N, T>::link(std::size_t slots, std::span<const Pair> touching, const Executor& executor) {
-  if (form_ != Form::list) list(slots, executor);
+void Candidates<N, T>::link(std::size_t slots, std::span<const Pair> touching, const Executor& executor,
+                            const PairExceptions& exceptions) {
+  if (form_ != Form::list) list(slots, executor, exceptions);
   const T margin = margin_for_graph(slots);
-  if (margin > margin_) make_list(slots, margin, executor);
+  if (margin > margin_) make_list(slots, margin, executor, exceptions);
   form_ = Form::none;
   graph_.assign(list_, touching, boxes_.size());
   std::vector<Box> fat_boxes;
@@ -306,7 +323,7 @@ void Candidates<N, T>::place(std::uint32_t slot) {
 
 /// Of a pair of strays, the one with the lower slot finds the other.
 template <Dim N, class T>
-void Candidates<N, T>::find_around_strays(const Executor& executor) {
+void Candidates<N, T>::find_around_strays(const Executor& executor, const PairExceptions& exceptions) {
   const std::size_t tasks = (strays_.size() + questions_in_task - 1) / questions_in_task;
   if (found_.size() < tasks) found_.resize(tasks);
   for (std::vector<Pair>& part : found_) part.clear();
@@ -319,7 +336,7 @@ void Candidates<N, T>::find_around_strays(const Executor& executor) {
       visit_met(tree_, RegionProbe<Box>(tree_.box(slot)), [&](const BvhName& found) {
         const std::uint32_t other = found.slot;
         const bool is_found_from_there = is_stray_[other] != 0 && other <= slot;
-        if (!is_found_from_there && is_admitted({slot, other})) part.push_back({slot, other});
+        if (!is_found_from_there && is_admitted({slot, other}, exceptions)) part.push_back({slot, other});
         return true;
       });
     }
@@ -354,7 +371,8 @@ void Candidates<N, T>::mend_graph() {
 
 /// If it throws, strays remain strays, to be found by the next call, and the graph lacks no pair of other slots.
 template <Dim N, class T>
-void Candidates<N, T>::follow(std::span<const std::uint32_t> changed, const Executor& executor) {
+void Candidates<N, T>::follow(std::span<const std::uint32_t> changed, const Executor& executor,
+                              const PairExceptions& exceptions) {
   strays_.clear();
   for (const std::uint32_t slot : changed) {
     if (is_stray_[slot] == 0 && is_at_home(slot)) continue;
@@ -369,7 +387,7 @@ void Candidates<N, T>::follow(std::span<const std::uint32_t> changed, const Exec
     if (is_held_[sooner] != 0) tree_.prefetch_node(sooner);
     place(strays_[i]);
   }
-  find_around_strays(executor);
+  find_around_strays(executor, exceptions);
   mend_graph();
   for (const std::uint32_t slot : strays_) is_stray_[slot] = 0;
 }

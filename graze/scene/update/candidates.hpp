@@ -15,6 +15,7 @@
 #include <graze/broad/pairs.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/object.hpp>
+#include <graze/scene/storage/pair_exceptions.hpp>
 #include <graze/scene/update/pair_graph.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -26,7 +27,8 @@ namespace graze::detail {
 /// (Catto 2019, "Dynamic bounding volume hierarchies"). Margins depend only on how far boxes have moved, as noted here.
 ///
 /// Candidates are a list, for when most boxes move, or a graph, for when few do. Before the first call, and after a
-/// call that threw, they may be neither; the next call then finds them anew.
+/// call that threw, they may be neither; the next call then finds them anew. Every call is given the same exceptions as
+/// the last one, up to the changes that `set_exceptions` and `put` have announced.
 template <Dim N, class T>
 class Candidates {
  public:
@@ -46,6 +48,9 @@ class Candidates {
 
   /// The slot has a new object, or none, whose box is Box::nothing().
   void put(std::uint32_t slot, const Box& box, const PairFilter& filter) noexcept;
+
+  /// The slot's object is now in an excepted pair, or in none, or has other ones: its pairs will be found anew.
+  void set_exceptions(std::uint32_t slot, bool has_exceptions) noexcept;
 
   /// The slot's object has moved.
   void move(std::uint32_t slot, const Box& box) noexcept { boxes_[slot] = box; }
@@ -67,26 +72,32 @@ class Candidates {
   /// A bound on the magnitude of all finite coordinates of boxes. Valid after `list` and `follow`.
   T largest() const { return largest_; }
 
-  /// Whether the filters of the two objects admit each other.
-  bool is_admitted(const Pair& pair) const { return choosy_ == 0 || may_touch(filters_[pair.a], filters_[pair.b]); }
+  /// Whether the filters of the two objects admit each other, and they are not excepted.
+  bool is_admitted(const Pair& pair, const PairExceptions& exceptions) const {
+    if (choosy_ == 0) return true;
+    const PairFilter& a = filters_[pair.a];
+    const PairFilter& b = filters_[pair.b];
+    return may_touch(a, b) && !(a.has_exceptions && b.has_exceptions && exceptions.contains(pair.a, pair.b));
+  }
 
   /// All candidates of the first `slots` slots, which must include all occupied ones, ascending. They may include pairs
   /// of removed objects that filters no longer admit, until the next call. Throws what the executor and allocation
   /// throw. Discards the graph.
-  std::span<const Pair> list(std::size_t slots, const Executor& executor);
+  std::span<const Pair> list(std::size_t slots, const Executor& executor, const PairExceptions& exceptions = {});
 
   /// The number of the last such list: greater than zero, and different for each different list.
   std::uint64_t list_number() const { return list_number_; }
 
   /// Builds the graph of the candidates, of which those in `touching`, ascending, touch. Throws like `list`.
-  void link(std::size_t slots, std::span<const Pair> touching, const Executor& executor);
+  void link(std::size_t slots, std::span<const Pair> touching, const Executor& executor,
+            const PairExceptions& exceptions = {});
 
   bool is_linked() const { return form_ == Form::graph; }
 
   /// Updates the graph to contain all candidates, provided that only these slots have changed. It may keep pairs that
   /// are no longer candidates: those that touch or did touch, and those that filters no longer admit. Throws like
   /// `list`; the graph is then still valid for the next call.
-  void follow(std::span<const std::uint32_t> changed, const Executor& executor);
+  void follow(std::span<const std::uint32_t> changed, const Executor& executor, const PairExceptions& exceptions = {});
 
   PairGraph& graph() { return graph_; }
   const PairGraph& graph() const { return graph_; }
@@ -102,11 +113,12 @@ class Candidates {
   T margin_for_all();
   T margin_for_graph(std::size_t slots) const;
   T margin_for(std::uint32_t slot) const;
-  void make_list(std::size_t slots, T margin, const Executor& executor);
+  void set_filter(std::uint32_t slot, const PairFilter& filter) noexcept;
+  void make_list(std::size_t slots, T margin, const Executor& executor, const PairExceptions& exceptions);
   void make_fat_boxes(std::size_t slots, T margin);
   void measure_sides(std::size_t slots) noexcept;
   void place(std::uint32_t slot);
-  void find_around_strays(const Executor& executor);
+  void find_around_strays(const Executor& executor, const PairExceptions& exceptions);
   void mend_graph();
 
   PageVector<Box> boxes_;           // by slot

@@ -155,9 +155,9 @@ void PairKeeper<N, T>::judge(std::span<const Pair> pairs, const Slots& slots, co
 // ---- All candidates
 
 template <Dim N, class T>
-void PairKeeper<N, T>::find_anew(const Slots& slots, const Executor& executor) {
+void PairKeeper<N, T>::find_anew(const Slots& slots, const Executor& executor, const PairExceptions& exceptions) {
   list_pairs();
-  std::span<const Pair> near = candidates_.list(slots.size(), executor);
+  std::span<const Pair> near = candidates_.list(slots.size(), executor, exceptions);
   const bool are_all_new = have_all_changed(slots.size());
   const bool have_places = near.size() <= std::numeric_limits<std::uint32_t>::max();
   found_list_ = are_all_new && have_places ? candidates_.list_number() : no_list;
@@ -238,10 +238,10 @@ void PairKeeper<N, T>::gather_near() {
 
 /// Finds the pairs that began and ended among the candidates of changed slots.
 template <Dim N, class T>
-void PairKeeper<N, T>::compare_with_known() {
+void PairKeeper<N, T>::compare_with_known(const PairExceptions& exceptions) {
   for (std::size_t i = 0; i < near_.size(); ++i) {
     const auto& [pair, edge, was] = near_[i];
-    const bool is = touches_[i] != 0 && candidates_.is_admitted(pair);
+    const bool is = touches_[i] != 0 && candidates_.is_admitted(pair, exceptions);
     if (!was && !is) continue;
     const bool are_others = is_replaced(pair.a) || is_replaced(pair.b);
     if (was && is && !are_others) continue;
@@ -255,32 +255,34 @@ void PairKeeper<N, T>::compare_with_known() {
 }
 
 template <Dim N, class T>
-void PairKeeper<N, T>::find_around_changed(const Slots& slots, const Executor& executor) {
+void PairKeeper<N, T>::find_around_changed(const Slots& slots, const Executor& executor,
+                                           const PairExceptions& exceptions) {
   began_.clear();
   ended_.clear();
   began_edges_.clear();
   ended_edges_.clear();
   if (changed_.empty()) return;
-  if (!candidates_.is_linked()) candidates_.link(slots.size(), touching_, executor);
-  candidates_.follow(changed_.all(), executor);
+  if (!candidates_.is_linked()) candidates_.link(slots.size(), touching_, executor, exceptions);
+  candidates_.follow(changed_.all(), executor, exceptions);
   gather_near();
   judge(near_pairs_, slots, executor);
-  compare_with_known();
+  compare_with_known(exceptions);
 }
 
 // ---- Updates
 
 template <Dim N, class T>
-PairPlan PairKeeper<N, T>::find(const Slots& slots, const Executor& executor, PairPlan plan) {
+PairPlan PairKeeper<N, T>::find(const Slots& slots, const Executor& executor, PairPlan plan,
+                                const PairExceptions& exceptions) {
   if (plan == PairPlan::automatic) {
     plan = changed_.size() * mended_share < live_ || changed_.empty() ? PairPlan::mend : PairPlan::anew;
   }
   plan_ = plan;
   found_list_ = no_list;
   if (plan == PairPlan::mend) {
-    find_around_changed(slots, executor);
+    find_around_changed(slots, executor, exceptions);
   } else {
-    find_anew(slots, executor);
+    find_anew(slots, executor, exceptions);
   }
   return plan;
 }

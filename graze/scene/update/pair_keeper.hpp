@@ -15,6 +15,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/scene/events.hpp>
 #include <graze/scene/object.hpp>
+#include <graze/scene/storage/pair_exceptions.hpp>
 #include <graze/scene/storage/shared_slots.hpp>
 #include <graze/scene/storage/slot_list.hpp>
 #include <graze/scene/update/candidates.hpp>
@@ -66,9 +67,16 @@ class PairKeeper {
   /// The slot's object was removed.
   void note_gone(std::uint32_t slot) noexcept;
 
-  /// Finds the touching pairs with this plan, and returns which of the two was used. Throws what the executor and
-  /// allocation throw. Nothing visible changes before `commit`.
-  PairPlan find(const Slots& slots, const Executor& executor, PairPlan plan = PairPlan::automatic);
+  /// The excepted pairs of the slot's object have changed: it is now in one, or in none.
+  void note_exceptions(std::uint32_t slot, bool has_exceptions) noexcept {
+    candidates_.set_exceptions(slot, has_exceptions);
+    set_changed(slot, Change::moved);
+  }
+
+  /// Finds the touching pairs with this plan, without the excepted ones, and returns which of the two was used. Throws
+  /// what the executor and allocation throw. Nothing visible changes before `commit`.
+  PairPlan find(const Slots& slots, const Executor& executor, PairPlan plan = PairPlan::automatic,
+                const PairExceptions& exceptions = {});
 
   /// After `mend`: the pairs that began and ended since the last update, ascending. A pair with a replaced object that
   /// touches again is in both.
@@ -119,10 +127,10 @@ class PairKeeper {
   bool is_seen_from_there(std::uint32_t slot, std::uint32_t other) const { return has_changed(other) && other < slot; }
   bool have_all_changed(std::size_t slots) const;
 
-  void find_anew(const Slots& slots, const Executor& executor);
-  void find_around_changed(const Slots& slots, const Executor& executor);
+  void find_anew(const Slots& slots, const Executor& executor, const PairExceptions& exceptions);
+  void find_around_changed(const Slots& slots, const Executor& executor, const PairExceptions& exceptions);
   void gather_near();
-  void compare_with_known();
+  void compare_with_known(const PairExceptions& exceptions);
   void judge(std::span<const Pair> pairs, const Slots& slots, const Executor& executor);
   T certain_depth() const;
   void merge_with_unchanged();

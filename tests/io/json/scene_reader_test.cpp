@@ -180,6 +180,53 @@ TEST(JsonSceneReader, WhatIsFixedIsNoPairWithWhatIsFixed) {
             "a.json: line 1, column 104: object 0: \"fixed\" is a number; it must be true or false");
 }
 
+TEST(JsonSceneReader, ExceptedPairsAreReadByNameAndNumberAndWrittenAgain) {
+  const auto with_pairs = [](const std::string& pairs) {
+    return R"({"schema": "graze.scene/1", "dimension": 2, "excepted_pairs": )" + pairs +
+           R"(, "objects": [{"name": "a", )" + dot + R"(}, {"name": "b", )" + dot + "}, {" + dot + "}]}";
+  };
+  const Scene2 scene = read_2d(with_pairs(R"([["b", "a"], [2, "b"]])"));
+  const std::vector<ObjectId> ids = scene.ids();
+  EXPECT_EQ(scene.excepted_pairs(), (std::vector<ObjectPair>{{ids[0], ids[1]}, {ids[1], ids[2]}}));
+  EXPECT_EQ(scene.pairs(), (std::vector<ObjectPair>{{ids[0], ids[2]}}));
+  EXPECT_EQ(read_2d(with_pairs(R"([["#2", "b"]])")).excepted_pairs().size(), 1U);
+  Scene2 changed;
+  for (int k = 0; k < 4; ++k) changed.add(Vec<2, double>(0, 0), {.name = k == 1 ? "one" : ""});
+  changed.remove(changed.ids()[0]);
+  const std::vector<ObjectId> left = changed.ids();
+  changed.except(left[2], left[0]);
+  changed.except(left[2], left[1]);
+  std::ostringstream out;
+  write_json_scene(out, {changed, "a.json", "test", YAxis::up, {}, {}});
+  EXPECT_NE(out.str().find(R"("excepted_pairs": [["one", 2], [1, 2]],)"), std::string::npos) << out.str();
+  const Scene2 again = read_2d(out.str());
+  EXPECT_EQ(again.excepted_pairs().size(), 2U);
+  EXPECT_TRUE(again.excepted(*again.find(1, 1), *again.find(3, 1)));
+  EXPECT_TRUE(again.excepted(*again.find(2, 1), *again.find(3, 1)));
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {R"({})", R"("excepted_pairs" must be an array, not an object)"},
+      {R"([["a"]])", R"("excepted_pairs"[0] must name two different objects)"},
+      {R"([["a", "b"], ["a", 0]])", R"("excepted_pairs"[1] must name two different objects)"},
+      {R"([["a", "b", 2]])", R"("excepted_pairs"[0] must name two different objects)"},
+      {R"([["a", "B"]])", R"(there is no object "B"; did you mean "b"?)"},
+      {R"([["a", 3]])", R"(there is no object 3; the scene has 3)"},
+      {R"([["a", 1.5]])", R"("excepted_pairs"[0])"},
+  };
+  for (const auto& [pairs, expected] : table) {
+    EXPECT_NE(refusal(with_pairs(pairs)).find(expected), std::string::npos) << refusal(with_pairs(pairs));
+  }
+}
+
+TEST(JsonSceneReader, TheDoorOfTheDocumentationTouchesNothing) {
+  const std::string page = text_of(project_file("docs/scene_format.md"));
+  const Scene2 scene = read_2d(code_block(page.substr(page.find("## Excepted pairs")), "json"));
+  EXPECT_EQ(scene.excepted_pairs().size(), 2U);
+  EXPECT_TRUE(scene.pairs().empty());
+  Scene2 accepting = scene;
+  for (const auto& [a, b] : scene.excepted_pairs()) accepting.accept(a, b);
+  EXPECT_EQ(accepting.pairs().size(), 2U);
+}
+
 TEST(JsonSceneReader, VelocitiesComeBesideTheSceneAndAreWrittenAgain) {
   const std::string text = scene_2d("{" + dot + "}, {" + dot + R"(, "velocity": [1, -2.5]})");
   const SceneFile file = parse_json_scene(text, "a.json");
@@ -204,8 +251,8 @@ TEST(JsonSceneReader, TheJsonSchemaHasTheSameFieldsAroundTheShapes) {
   const auto schema = nlohmann::json::parse(text_of(project_file("data/scene.schema.json")));
   std::vector<std::string> document_fields;
   for (const auto& entry : schema.at("properties").items()) document_fields.push_back(entry.key());
-  EXPECT_EQ(document_fields,
-            (std::vector<std::string>{"dimension", "layers", "objects", "schema", "vacant_ids", "y_axis"}));
+  EXPECT_EQ(document_fields, (std::vector<std::string>{"dimension", "excepted_pairs", "layers", "objects", "schema",
+                                                       "vacant_ids", "y_axis"}));
   std::vector<std::string> object_fields;
   for (const auto& entry : schema.at("$defs").at("object_options").at("properties").items()) {
     object_fields.push_back(entry.key());

@@ -58,16 +58,16 @@ struct World {
     return pairs;
   }
 
-  std::vector<Pair> listed() {
-    const std::span<const Pair> list = candidates.list(boxes.size(), serial_executor());
+  std::vector<Pair> listed(const PairExceptions& exceptions = {}) {
+    const std::span<const Pair> list = candidates.list(boxes.size(), serial_executor(), exceptions);
     changed.clear();
     return {list.begin(), list.end()};
   }
 
   /// The content of the graph, ascending; a pair that is in it twice appears twice.
-  std::vector<Pair> linked(std::span<const Pair> touching = {}) {
-    if (!candidates.is_linked()) candidates.link(boxes.size(), touching, serial_executor());
-    candidates.follow(changed, serial_executor());
+  std::vector<Pair> linked(std::span<const Pair> touching = {}, const PairExceptions& exceptions = {}) {
+    if (!candidates.is_linked()) candidates.link(boxes.size(), touching, serial_executor(), exceptions);
+    candidates.follow(changed, serial_executor(), exceptions);
     changed.clear();
     std::vector<Pair> pairs;
     for (std::uint32_t slot = 0; slot < boxes.size(); ++slot) {
@@ -108,6 +108,31 @@ TEST(Candidates, AreThePairsOfBoxesThatOverlapWhereNothingHasMoved) {
   EXPECT_EQ(world.linked(), (std::vector<Pair>{{0, 1}}));
   world.put(2, square(9, 9));
   EXPECT_EQ(world.linked(), (std::vector<Pair>{{0, 1}, {2, 3}}));
+}
+
+TEST(Candidates, LackExceptedPairsInTheListAndInTheGraph) {
+  Plane2 world(3);
+  for (std::uint32_t slot = 0; slot < 3; ++slot) world.put(slot, square(0, 0));
+  PairExceptions exceptions;
+  const auto set = [&](bool is_excepted) {
+    is_excepted ? exceptions.add(1, 0) : exceptions.remove(1, 0);
+    for (const std::uint32_t slot : {0U, 1U}) {
+      world.candidates.set_exceptions(slot, is_excepted);
+      world.note(slot);
+    }
+  };
+  const std::vector<Pair> all{{0, 1}, {0, 2}, {1, 2}};
+  const std::vector<Pair> rest{{0, 2}, {1, 2}};
+  EXPECT_EQ(world.listed(), all);
+  set(true);
+  EXPECT_EQ(world.listed(exceptions), rest);
+  set(false);
+  EXPECT_EQ(world.linked({}, exceptions), all);
+  set(true);
+  EXPECT_EQ(world.linked({}, exceptions), rest);
+  EXPECT_EQ(world.linked({}, exceptions), rest);
+  set(false);
+  EXPECT_EQ(world.linked({}, exceptions), all);
 }
 
 TEST(Candidates, StayWhileAllMoveALittle) {
