@@ -46,6 +46,18 @@ LoggedCall<N> ray_call(CallKind kind, const Ray<N, T>& ray, T t_max, LayerMask l
   return call;
 }
 
+/// The call of a shape that moves. A motion that is not finite cannot be written.
+template <Dim N, class T>
+LoggedCall<N> motion_call(CallKind kind, const Motion<N, T>& motion) {
+  LoggedCall<N> call{.kind = kind};
+  if (!is_finite(motion)) {
+    call.fault = "a motion that is not finite";
+  } else {
+    call.motion = {Vec<N, double>(motion.linear), Turn<N, double>(motion.angular), Vec<N, double>(motion.center)};
+  }
+  return call;
+}
+
 /// Whether the ids differ from those that adding the objects in order would give.
 template <Dim N, class T>
 bool needs_plan_of_ids(const Scene<N, T>& scene) {
@@ -88,6 +100,9 @@ void RecordedScene<N, T>::write_past() {
           .shapes = {with_numbers<double, N, T>(object.shape)},
           .options = {object.name, object.layer, object.mask, object.user, object.mobility}},
          logged(id));
+  }
+  for (const auto& [a, b] : scene_.excepted_pairs()) {
+    note({.kind = CallKind::except, .ids = {ids_.logged(a), ids_.logged(b)}}, {});
   }
   const SceneEvents& last = scene_.events();
   std::vector<ObjectPair> touching;
@@ -179,6 +194,16 @@ void RecordedScene<N, T>::remove(ObjectId id) {
 }
 
 template <Dim N, class T>
+void RecordedScene<N, T>::except(ObjectId a, ObjectId b) {
+  record({.kind = CallKind::except, .ids = {ids_.logged(a), ids_.logged(b)}}, [&] { scene_.except(a, b); });
+}
+
+template <Dim N, class T>
+void RecordedScene<N, T>::accept(ObjectId a, ObjectId b) {
+  record({.kind = CallKind::accept, .ids = {ids_.logged(a), ids_.logged(b)}}, [&] { scene_.accept(a, b); });
+}
+
+template <Dim N, class T>
 Layer RecordedScene<N, T>::layer(std::string_view name) {
   return record({.kind = CallKind::layer, .name = std::string(name)}, [&] { return scene_.layer(name); });
 }
@@ -245,6 +270,75 @@ template <Dim N, class T>
 std::vector<ObjectHit<N, T>> RecordedScene<N, T>::ray_cast_all(const Ray<N, T>& ray, T t_max, LayerMask layers) const {
   return record(ray_call(CallKind::ray_cast_all, ray, t_max, layers),
                 [&] { return scene_.ray_cast_all(ray, t_max, layers); });
+}
+
+/// Those that it names, and those that its predicate does not accept.
+template <Dim N, class T>
+std::vector<ObjectId> RecordedScene<N, T>::left_out_by(const SceneQuery& query) const {
+  std::vector<ObjectId> result(query.except.begin(), query.except.end());
+  if (!query.predicate) return result;
+  for (const ObjectId& id : scene_.ids()) {
+    const bool is_asked_for = detail::admits({.layers = query.layers, .except = query.except}, id, object(id).layer);
+    if (is_asked_for && !query.predicate(id)) result.push_back(id);
+  }
+  return result;
+}
+
+/// Adds the shape and the query to a call, and records it. The predicate is not called during the call, so that it may
+/// query this scene.
+template <Dim N, class T>
+template <class Ask>
+auto RecordedScene<N, T>::ask(LoggedCall<N> call, const AnyShape<N, T>& shape, const SceneQuery& query,
+                              const Ask& act) const {
+  const std::vector<ObjectId> except = left_out_by(query);
+  call.layers = query.layers;
+  for (const ObjectId& id : except) call.except.push_back(ids_.logged(id));
+  give(call, shape);
+  return record(call, [&] { return act(SceneQuery{.layers = query.layers, .except = except}); });
+}
+
+template <Dim N, class T>
+std::vector<NearPair<T>> RecordedScene<N, T>::closest_pairs(T within) const {
+  LoggedCall<N> call{.kind = CallKind::closest_pairs, .within = static_cast<double>(within)};
+  if (!std::isfinite(within)) call.fault = fmt::format("a distance that is {}", within);
+  return record(call, [&] { return scene_.closest_pairs(within); });
+}
+
+template <Dim N, class T>
+std::vector<ObjectTouch<N, T>> RecordedScene<N, T>::contacts_with(const AnyShape<N, T>& shape,
+                                                                  const SceneQuery& query) const {
+  return ask({.kind = CallKind::contacts_with}, shape, query,
+             [&](const SceneQuery& asked) { return scene_.contacts_with(shape, asked); });
+}
+
+template <Dim N, class T>
+std::vector<NearObject<T>> RecordedScene<N, T>::nearest(const AnyShape<N, T>& shape, std::size_t count,
+                                                        const SceneQuery& query) const {
+  return ask({.kind = CallKind::nearest_to, .count = count}, shape, query,
+             [&](const SceneQuery& asked) { return scene_.nearest(shape, count, asked); });
+}
+
+template <Dim N, class T>
+std::optional<ObjectImpact<N, T>> RecordedScene<N, T>::shape_cast(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
+                                                                  const SceneQuery& query) const {
+  return ask(motion_call<N, T>(CallKind::shape_cast, {motion}), shape, query,
+             [&](const SceneQuery& asked) { return scene_.shape_cast(shape, motion, asked); });
+}
+
+template <Dim N, class T>
+std::vector<ObjectImpact<N, T>> RecordedScene<N, T>::shape_cast_all(const AnyShape<N, T>& shape,
+                                                                    const Vec<N, T>& motion,
+                                                                    const SceneQuery& query) const {
+  return ask(motion_call<N, T>(CallKind::shape_cast_all, {motion}), shape, query,
+             [&](const SceneQuery& asked) { return scene_.shape_cast_all(shape, motion, asked); });
+}
+
+template <Dim N, class T>
+std::optional<ObjectImpact<N, T>> RecordedScene<N, T>::time_of_impact(const AnyShape<N, T>& shape,
+                                                                      const Motion<N, T>& motion,
+                                                                      const SceneQuery& query) const {
+  return ask(motion_call<N, T>(CallKind::time_of_impact, motion), shape, query,
+             [&](const SceneQuery& asked) { return scene_.time_of_impact(shape, motion, asked); });
 }
 
 template class RecordedScene<2, float>;

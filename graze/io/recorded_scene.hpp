@@ -18,8 +18,10 @@
 #include <graze/io/log/logged_answer.hpp>
 #include <graze/io/log/logged_call.hpp>
 #include <graze/io/log/logged_ids.hpp>
+#include <graze/math/motion.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/scene/scene_query.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/frustum.hpp>
 
@@ -73,6 +75,10 @@ class RecordedScene {
 
   /// As Scene::remove. Recorded.
   void remove(ObjectId id);
+  /// As Scene::except. Recorded.
+  void except(ObjectId a, ObjectId b);
+  /// As Scene::accept. Recorded.
+  void accept(ObjectId a, ObjectId b);
   /// As Scene::layer. Recorded.
   Layer layer(std::string_view name);
   /// As Scene::update. Recorded with its events.
@@ -91,6 +97,11 @@ class RecordedScene {
   /// As SceneView::size. Not recorded.
   std::size_t size() const { return scene_.size(); }
 
+  /// As SceneView::excepted. Not recorded.
+  bool excepted(ObjectId a, ObjectId b) const { return scene_.excepted(a, b); }
+  /// As SceneView::excepted_pairs. Not recorded.
+  std::vector<ObjectPair> excepted_pairs() const { return scene_.excepted_pairs(); }
+
   /// As SceneView::find. Recorded.
   std::optional<ObjectId> find(std::string_view name) const;
   /// As SceneView::candidates. Recorded.
@@ -99,6 +110,11 @@ class RecordedScene {
   std::vector<ObjectPair> pairs() const;
   /// As SceneView::contacts. Recorded.
   std::vector<ObjectContact<N, T>> contacts(const Executor& executor = default_executor()) const;
+  /// As SceneView::closest_pairs. Recorded.
+  std::vector<NearPair<T>> closest_pairs(T within) const;
+  /// As SceneView::contacts_with. Recorded. A predicate, here and below, is called for every object on the layers,
+  /// before the call; the log holds the objects that it leaves out.
+  std::vector<ObjectTouch<N, T>> contacts_with(const AnyShape<N, T>& shape, const SceneQuery& query = {}) const;
   /// As SceneView::overlapping. Recorded.
   std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
   /// As SceneView::cull of a shape. Recorded.
@@ -107,14 +123,29 @@ class RecordedScene {
   std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const;
   /// As SceneView::nearest. Recorded.
   std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const;
+  /// As SceneView::nearest to a shape. Recorded.
+  std::vector<NearObject<T>> nearest(const AnyShape<N, T>& shape, std::size_t count,
+                                     const SceneQuery& query = {}) const;
   /// As SceneView::ray_cast. Recorded.
   std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
                                           LayerMask layers = all_layers) const;
   /// As SceneView::ray_cast_all. Recorded.
   std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
                                             LayerMask layers = all_layers) const;
+  /// As SceneView::shape_cast. Recorded.
+  std::optional<ObjectImpact<N, T>> shape_cast(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
+                                               const SceneQuery& query = {}) const;
+  /// As SceneView::shape_cast_all. Recorded.
+  std::vector<ObjectImpact<N, T>> shape_cast_all(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
+                                                 const SceneQuery& query = {}) const;
+  /// As SceneView::time_of_impact. Recorded.
+  std::optional<ObjectImpact<N, T>> time_of_impact(const AnyShape<N, T>& shape, const Motion<N, T>& motion,
+                                                   const SceneQuery& query = {}) const;
 
  private:
+  std::vector<ObjectId> left_out_by(const SceneQuery& query) const;
+  template <class Ask>
+  auto ask(LoggedCall<N> call, const AnyShape<N, T>& shape, const SceneQuery& query, const Ask& act) const;
   template <class Act>
   decltype(auto) record(const LoggedCall<N>& call, const Act& act) const;
   void write(const LoggedCall<N>& call) const;

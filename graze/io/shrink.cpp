@@ -151,7 +151,15 @@ class RecordCheck {
     std::erase_if(wanted, [&here](const auto& object) { return !here.contains(object.first); });
     auto found = state_after<N>(std::span(some).first(count));
     std::erase_if(found, [&here](const auto& object) { return !here.contains(object.first); });
-    return found == wanted;
+    return found == wanted && excepted_among(some, count, here) == excepted_among(entries_, all, here);
+  }
+
+  static std::set<ObjectPair> excepted_among(const Entries<N>& entries, std::size_t count,
+                                             const std::set<ObjectId>& here) {
+    std::set<ObjectPair> excepted = excepted_after<N>(std::span(entries).first(count));
+    std::erase_if(excepted,
+                  [&here](const ObjectPair& pair) { return !here.contains(pair.a) || !here.contains(pair.b); });
+    return excepted;
   }
 
   Trials<N>& trials_;
@@ -232,6 +240,9 @@ std::vector<LoggedCall<N>> simpler_calls(const LoggedCall<N>& call) {
     with([](ObjectOptions& options) { options.layer = 0; });
     with([](ObjectOptions& options) { options.mobility = Mobility::moving; });
   }
+  LoggedCall<N> without_exceptions = call;
+  without_exceptions.except.clear();
+  add_if_other(without_exceptions);
   LoggedCall<N> on_all_layers = call;
   on_all_layers.layers = all_layers;
   add_if_other(on_all_layers);

@@ -24,7 +24,8 @@ template <Dim N, class T>
 void ask_at_random(const RecordedScene<N, T>& scene) {
   const AnyShape<N, T> region = *test::any_shape<N, T>();
   const LayerMask layers = *rc::gen::element(all_layers, LayerMask{1}, LayerMask{2}, LayerMask{0});
-  switch (*rc::gen::inRange(0, 8)) {
+  const SceneQuery query{.layers = layers};
+  switch (*rc::gen::inRange(0, 13)) {
     case 0:
       scene.overlapping(region, layers);
       break;
@@ -46,6 +47,22 @@ void ask_at_random(const RecordedScene<N, T>& scene) {
     case 6:
       scene.candidates(*rc::gen::element(0.0, 0.5, 3.0));
       break;
+    case 7:
+      scene.shape_cast(region, *test::any<Vec<N, T>>(), query);
+      break;
+    case 8:
+      scene.shape_cast_all(region, *test::any<Vec<N, T>>(), query);
+      break;
+    case 9:
+      scene.time_of_impact(region, {*test::any<Vec<N, T>>(), Turn<N, T>(T(1)), *test::any<Vec<N, T>>()}, query);
+      break;
+    case 10:
+      scene.contacts_with(region, query);
+      break;
+    case 11:
+      scene.nearest(region, *rc::gen::inRange<std::size_t>(0, 5), query);
+      scene.closest_pairs(*rc::gen::element(T(0), T(0.5), T(3)));
+      break;
     default:
       scene.pairs();
       scene.find(*rc::gen::element<std::string>("a", "b", ""));
@@ -56,7 +73,7 @@ void ask_at_random(const RecordedScene<N, T>& scene) {
 template <Dim N, class T>
 void change_at_random(RecordedScene<N, T>& scene, std::vector<ObjectId>& ids) {
   const AnyShape<N, T> shape = *test::any_shape<N, T>();
-  const int act = *rc::gen::inRange(0, 8);
+  const int act = *rc::gen::inRange(0, 10);
   if (act < 3 || ids.empty()) {
     const auto name = *rc::gen::element<std::string>("", "", "", "a", "b");
     const auto layer = *rc::gen::element<Layer>(0, 1, 1, 64);
@@ -74,6 +91,10 @@ void change_at_random(RecordedScene<N, T>& scene, std::vector<ObjectId>& ids) {
     scene.move(moves);
   } else if (act < 7) {
     scene.remove(any_id());
+  } else if (act < 8) {
+    scene.except(any_id(), any_id());
+  } else if (act < 9) {
+    scene.accept(any_id(), any_id());
   } else {
     scene.layer(*rc::gen::element<std::string>("walls", "ghosts"));
   }

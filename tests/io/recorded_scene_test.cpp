@@ -113,6 +113,64 @@ TEST(RecordedScene, WritesWhyACallWasRefused) {
   EXPECT_EQ(differences_in(log.str()), 0U);
 }
 
+TEST(RecordedScene, WritesQueriesWithShapesAndWhatTheyLeaveOut) {
+  std::ostringstream log;
+  World scene(log);
+  const ObjectId near = scene.add(Ball{{4, 0}, 1});
+  const ObjectId far = scene.add(Ball{{9, 0}, 1}, {.layer = 1});
+  const std::size_t before = log.str().size();
+  EXPECT_EQ(scene.shape_cast(Ball{{0, 0}, 1}, {4, 0})->impact.t, 0.5);
+  EXPECT_EQ(scene.nearest(Ball{{0, 0}, 1}, 1, {.predicate = [&](ObjectId id) { return id == far; }}).at(0).distance, 7);
+  EXPECT_EQ(scene.contacts_with(Ball{{2.5, 0}, 1}, {.layers = only_layer(0)}).size(), 1U);
+  EXPECT_EQ(scene.closest_pairs(3).size(), 1U);
+  EXPECT_EQ(log.str().substr(before),
+            R"({"call": "shape_cast", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}, "motion": [4, 0]}
+{"answer": [[[0, 1], 0.5, 3, 0, 1, 0]]}
+{"call": "nearest_to", "shape": {"type": "sphere", "center": [0, 0], "radius": 1}, "count": 1, "except": [[0, 1]]}
+{"answer": [[[1, 1], 7]]}
+{"call": "contacts_with", "shape": {"type": "sphere", "center": [2.5, 0], "radius": 1}, "layers": 1}
+{"answer": [[[0, 1], 1, 0, 3.5, 0, 3, 0, 0.5]]}
+{"call": "closest_pairs", "within": 3}
+{"answer": [[[0, 1], [1, 1], 3]]}
+)");
+  EXPECT_EQ(scene.shape_cast_all(Ball{{0, 0}, 1}, {9, 0}, {.except = {&near, 1}}).size(), 1U);
+  EXPECT_EQ(scene.time_of_impact(Ball{{0, 0}, 1}, {{4, 0}, 3, {0, 1}})->id, near);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(scene.shape_cast(Ball{{0, 0}, 1}, {nan, 0}), std::invalid_argument);
+  EXPECT_THROW(scene.closest_pairs(nan), std::invalid_argument);
+  EXPECT_THROW(scene.contacts_with(Ball{{0, 0}, -1}), std::invalid_argument);
+  const auto asks_again = [&](ObjectId id) { return !scene.contacts_with(scene.object(id).shape).empty(); };
+  EXPECT_EQ(scene.nearest(Ball{{0, 0}, 1}, 9, {.predicate = asks_again}).size(), 2U);
+  EXPECT_EQ(differences_in(log.str()), 0U);
+}
+
+TEST(RecordedScene, WritesExceptedPairs) {
+  Scene<2, double> past;
+  const ObjectId a = past.add(Ball{{0, 0}, 1});
+  const ObjectId b = past.add(Ball{{1, 0}, 1});
+  const ObjectId c = past.add(Ball{{0, 1}, 1});
+  past.except(a, b);
+  past.update();
+  std::ostringstream log;
+  World scene(log, past);
+  EXPECT_NE(log.str().find(R"({"call": "except", "ids": [[0, 1], [1, 1]]})"), std::string::npos);
+  const std::size_t before = log.str().size();
+  scene.except(c, a);
+  scene.accept(a, b);
+  EXPECT_TRUE(scene.excepted(a, c));
+  EXPECT_THROW(scene.except(a, a), std::invalid_argument);
+  EXPECT_EQ(scene.excepted_pairs(), (std::vector<ObjectPair>{{a, c}}));
+  const std::string added = log.str().substr(before);
+  EXPECT_EQ(added.substr(0, added.find("refused")), R"({"call": "except", "ids": [[2, 1], [0, 1]]}
+{"answer": []}
+{"call": "accept", "ids": [[0, 1], [1, 1]]}
+{"answer": []}
+{"call": "except", "ids": [[0, 1], [0, 1]]}
+{")");
+  EXPECT_EQ(scene.update().began, (std::vector<ObjectPair>{{a, b}}));
+  EXPECT_EQ(differences_in(log.str()), 0U);
+}
+
 TEST(RecordedScene, DoesNothingThatItCannotWrite) {
   std::ostringstream log;
   World scene(log);

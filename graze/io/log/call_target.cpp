@@ -9,8 +9,10 @@
 #include <graze/io/log/call_target.hpp>
 #include <graze/io/log/logged_ids.hpp>
 #include <graze/io/shape_numbers.hpp>
+#include <graze/math/motion.hpp>
 #include <graze/scene/plain_scene.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/scene/scene_query.hpp>
 
 namespace graze::io {
 namespace {
@@ -46,6 +48,12 @@ class WorldTarget final : public CallTarget<N> {
       case CallKind::move_many:
         world_.move(moves(call));
         return {};
+      case CallKind::except:
+        world_.except(ids_.real(call.ids[0]), ids_.real(call.ids[1]));
+        return {};
+      case CallKind::accept:
+        world_.accept(ids_.real(call.ids[0]), ids_.real(call.ids[1]));
+        return {};
       default:
         world_.remove(ids_.real(call.ids.front()));
         return {};
@@ -66,6 +74,14 @@ class WorldTarget final : public CallTarget<N> {
         return logged(world_.contacts());
       case CallKind::cull_frustum:
         return logged(world_.cull(frustum(call), call.layers));
+      case CallKind::closest_pairs:
+        return logged(world_.closest_pairs(static_cast<T>(call.within)));
+      case CallKind::shape_cast:
+      case CallKind::shape_cast_all:
+      case CallKind::time_of_impact:
+      case CallKind::contacts_with:
+      case CallKind::nearest_to:
+        return ask_with_query(call);
       default:
         return ask_about_shape(call);
     }
@@ -85,6 +101,27 @@ class WorldTarget final : public CallTarget<N> {
         return logged(world_.ray_cast(std::get<Ray<N, T>>(asked), t_max, call.layers));
       default:
         return logged(world_.ray_cast_all(std::get<Ray<N, T>>(asked), t_max, call.layers));
+    }
+  }
+
+  LoggedAnswer ask_with_query(const LoggedCall<N>& call) {
+    const AnyShape<N, T> asked = shape(call, 0);
+    std::vector<ObjectId> except;
+    for (const ObjectId& id : call.except) except.push_back(ids_.real(id));
+    const SceneQuery query{.layers = call.layers, .except = except};
+    const Motion<N, T> motion{Vec<N, T>(call.motion.linear), Turn<N, T>(call.motion.angular),
+                              Vec<N, T>(call.motion.center)};
+    switch (call.kind) {
+      case CallKind::shape_cast:
+        return logged(world_.shape_cast(asked, motion.linear, query));
+      case CallKind::shape_cast_all:
+        return logged(world_.shape_cast_all(asked, motion.linear, query));
+      case CallKind::time_of_impact:
+        return logged(world_.time_of_impact(asked, motion, query));
+      case CallKind::contacts_with:
+        return logged(world_.contacts_with(asked, query));
+      default:
+        return logged(world_.nearest(asked, call.count, query));
     }
   }
 

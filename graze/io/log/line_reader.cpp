@@ -32,7 +32,7 @@ struct FieldNames {
   CallFields field;
   std::array<std::string_view, 5> names;
 };
-constexpr std::array<FieldNames, 12> field_names = {{
+constexpr std::array<FieldNames, 16> field_names = {{
     {field_id, {"id"}},
     {field_ids, {"ids"}},
     {field_vacant_ids, {"vacant_ids"}},
@@ -45,6 +45,10 @@ constexpr std::array<FieldNames, 12> field_names = {{
     {field_count, {"count"}},
     {field_t_max, {"t_max"}},
     {field_margin, {"margin"}},
+    {field_motion, {"motion"}},
+    {field_rotation, {"angular", "center"}},
+    {field_within, {"within"}},
+    {field_except, {"except"}},
 }};
 
 void allow_fields(const JsonFields& line, CallKind kind) {
@@ -141,10 +145,26 @@ void read_shapes(LoggedCall<N>& call, const JsonFields& line) {
 }
 
 template <Dim N>
+void read_motion(LoggedCall<N>& call, const JsonFields& line) {
+  if (has_field(call.kind, field_motion)) call.motion.linear = line.vector<N>("motion");
+  if (!has_field(call.kind, field_rotation)) return;
+  if constexpr (N == 2) {
+    call.motion.angular = line.number("angular");
+  } else {
+    call.motion.angular = line.vector<3>("angular");
+  }
+  call.motion.center = line.vector<N>("center");
+}
+
+template <Dim N>
 void require_types(const LoggedCall<N>& call, const JsonFields& line) {
   const bool is_ray = call.kind == CallKind::ray_cast || call.kind == CallKind::ray_cast_all;
   if (is_ray && !std::holds_alternative<Ray<N, double>>(call.shapes.front())) {
     throw line.error("shape", "must be a ray");
+  }
+  const bool is_of_two = call.kind == CallKind::except || call.kind == CallKind::accept;
+  if (is_of_two && call.ids.size() != 2) {
+    throw line.error("ids", fmt::format("are {}; \"{}\" has two", call.ids.size(), form_of(call.kind).name));
   }
   if (call.kind == CallKind::nearest && !std::holds_alternative<Vec<N, double>>(call.shapes.front())) {
     throw line.error("shape", "must be a point");
@@ -232,6 +252,9 @@ LoggedCall<N> read_call(const JsonDocument& document) {
   if (has(field_options)) call.options = read_options(line);
   if (has(field_count)) call.count = read_whole(line.require("count"), {"count"}, place);
   if (has(field_margin)) call.margin = line.number("margin");
+  if (has(field_within)) call.within = line.number("within");
+  if (has(field_except) && line.find("except")) call.except = read_ids(line, "except");
+  read_motion(call, line);
   if (const auto t_max = line.find("t_max")) call.t_max = read_number(*t_max, {"t_max"}, place);
   if (const auto layers = line.find("layers")) call.layers = read_whole(*layers, {"layers"}, place);
   read_shapes(call, line);

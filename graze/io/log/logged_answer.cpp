@@ -42,6 +42,27 @@ void append(std::vector<double>& numbers, const Vec<N, T>& vector) {
   for (Dim i = 0; i < N; ++i) numbers.push_back(static_cast<double>(vector[i]));
 }
 
+/// Of a RayHit or an Impact.
+template <Dim N, class T, class Hit>
+AnswerRow row_of_hit(const ObjectId& id, const Hit& hit) {
+  AnswerRow row{{}, {id}, {static_cast<double>(hit.t)}};
+  append<N, T>(row.numbers, hit.point);
+  append<N, T>(row.numbers, hit.normal);
+  return row;
+}
+
+template <Dim N, class T>
+std::vector<double> numbers_of(const Manifold<N, T>& manifold) {
+  std::vector<double> numbers;
+  append<N, T>(numbers, manifold.normal);
+  for (const ManifoldPoint<N, T>& contact : manifold.contacts()) {
+    append<N, T>(numbers, contact.point_a);
+    append<N, T>(numbers, contact.point_b);
+    numbers.push_back(static_cast<double>(contact.depth));
+  }
+  return numbers;
+}
+
 void append_events(LoggedAnswer& answer, std::string_view word, const std::vector<ObjectPair>& pairs) {
   for (const auto& [a, b] : pairs) answer.rows.push_back({word, {a, b}, {}});
 }
@@ -116,15 +137,26 @@ LoggedAnswer logged(const std::vector<NearObject<T>>& neighbours) {
   return answer;
 }
 
+template <class T>
+LoggedAnswer logged(const std::vector<NearPair<T>>& pairs) {
+  LoggedAnswer answer;
+  for (const auto& [pair, distance] : pairs) {
+    answer.rows.push_back({{}, {pair.a, pair.b}, {static_cast<double>(distance)}});
+  }
+  return answer;
+}
+
 template <Dim N, class T>
 LoggedAnswer logged(const std::vector<ObjectHit<N, T>>& hits) {
   LoggedAnswer answer;
-  for (const auto& [id, hit] : hits) {
-    AnswerRow row{{}, {id}, {static_cast<double>(hit.t)}};
-    append<N, T>(row.numbers, hit.point);
-    append<N, T>(row.numbers, hit.normal);
-    answer.rows.push_back(std::move(row));
-  }
+  for (const auto& [id, hit] : hits) answer.rows.push_back(row_of_hit<N, T>(id, hit));
+  return answer;
+}
+
+template <Dim N, class T>
+LoggedAnswer logged(const std::vector<ObjectImpact<N, T>>& impacts) {
+  LoggedAnswer answer;
+  for (const auto& [id, impact] : impacts) answer.rows.push_back(row_of_hit<N, T>(id, impact));
   return answer;
 }
 
@@ -132,27 +164,32 @@ template <Dim N, class T>
 LoggedAnswer logged(const std::vector<ObjectContact<N, T>>& contacts) {
   LoggedAnswer answer;
   for (const auto& [pair, manifold] : contacts) {
-    AnswerRow row{{}, {pair.a, pair.b}, {}};
-    append<N, T>(row.numbers, manifold.normal);
-    for (const ManifoldPoint<N, T>& contact : manifold.contacts()) {
-      append<N, T>(row.numbers, contact.point_a);
-      append<N, T>(row.numbers, contact.point_b);
-      row.numbers.push_back(static_cast<double>(contact.depth));
-    }
-    answer.rows.push_back(std::move(row));
+    answer.rows.push_back({{}, {pair.a, pair.b}, numbers_of<N, T>(manifold)});
   }
+  return answer;
+}
+
+template <Dim N, class T>
+LoggedAnswer logged(const std::vector<ObjectTouch<N, T>>& touches) {
+  LoggedAnswer answer;
+  for (const auto& [id, manifold] : touches) answer.rows.push_back({{}, {id}, numbers_of<N, T>(manifold)});
   return answer;
 }
 
 template LoggedAnswer logged(const std::vector<NearObject<float>>&);
 template LoggedAnswer logged(const std::vector<NearObject<double>>&);
-template LoggedAnswer logged(const std::vector<ObjectHit<2, float>>&);
-template LoggedAnswer logged(const std::vector<ObjectHit<3, float>>&);
-template LoggedAnswer logged(const std::vector<ObjectHit<2, double>>&);
-template LoggedAnswer logged(const std::vector<ObjectHit<3, double>>&);
-template LoggedAnswer logged(const std::vector<ObjectContact<2, float>>&);
-template LoggedAnswer logged(const std::vector<ObjectContact<3, float>>&);
-template LoggedAnswer logged(const std::vector<ObjectContact<2, double>>&);
-template LoggedAnswer logged(const std::vector<ObjectContact<3, double>>&);
+template LoggedAnswer logged(const std::vector<NearPair<float>>&);
+template LoggedAnswer logged(const std::vector<NearPair<double>>&);
+
+#define GRAZE_INSTANTIATE(N, T)                                          \
+  template LoggedAnswer logged(const std::vector<ObjectHit<N, T>>&);     \
+  template LoggedAnswer logged(const std::vector<ObjectImpact<N, T>>&);  \
+  template LoggedAnswer logged(const std::vector<ObjectContact<N, T>>&); \
+  template LoggedAnswer logged(const std::vector<ObjectTouch<N, T>>&);
+GRAZE_INSTANTIATE(2, float)
+GRAZE_INSTANTIATE(3, float)
+GRAZE_INSTANTIATE(2, double)
+GRAZE_INSTANTIATE(3, double)
+#undef GRAZE_INSTANTIATE
 
 }  // namespace graze::io

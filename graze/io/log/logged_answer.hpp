@@ -20,7 +20,7 @@ namespace graze::io {
 struct AnswerRow {
   std::string_view word = {};        ///< "began", "stayed" or "ended" for the events of an update.
   std::vector<ObjectId> ids = {};    ///< At most two.
-  std::vector<double> numbers = {};  ///< For a neighbour its distance; for a hit t, point and normal; for contacts the
+  std::vector<double> numbers = {};  ///< For neighbours the distance; for a hit t, point and normal; for contacts the
                                      ///< normal, then for each point its place on a, its place on b and its depth.
 };
 
@@ -78,6 +78,15 @@ LoggedAnswer logged(const SceneEvents& events);
 /// The result of `nearest`.
 template <class T>
 LoggedAnswer logged(const std::vector<NearObject<T>>& neighbours);
+/// The result of `closest_pairs`.
+template <class T>
+LoggedAnswer logged(const std::vector<NearPair<T>>& pairs);
+/// The result of `shape_cast_all`.
+template <Dim N, class T>
+LoggedAnswer logged(const std::vector<ObjectImpact<N, T>>& impacts);
+/// The result of `contacts_with`.
+template <Dim N, class T>
+LoggedAnswer logged(const std::vector<ObjectTouch<N, T>>& touches);
 /// The result of `ray_cast_all`.
 template <Dim N, class T>
 LoggedAnswer logged(const std::vector<ObjectHit<N, T>>& hits);
@@ -89,6 +98,12 @@ LoggedAnswer logged(const std::vector<ObjectContact<N, T>>& contacts);
 template <Dim N, class T>
 LoggedAnswer logged(const std::optional<ObjectHit<N, T>>& hit) {
   return logged(hit ? std::vector<ObjectHit<N, T>>{*hit} : std::vector<ObjectHit<N, T>>{});
+}
+
+/// The result of `shape_cast` and `time_of_impact`.
+template <Dim N, class T>
+LoggedAnswer logged(const std::optional<ObjectImpact<N, T>>& impact) {
+  return logged(impact ? std::vector<ObjectImpact<N, T>>{*impact} : std::vector<ObjectImpact<N, T>>{});
 }
 
 }  // namespace graze::io

@@ -70,6 +70,9 @@ std::string vector_text(const Vec<N, double>& vector) {
   return text + ']';
 }
 
+std::string turn_text(double turn) { return number_text(turn); }
+std::string turn_text(const Vec<3, double>& turn) { return vector_text<3>(turn); }
+
 }  // namespace
 
 template <Dim N>
@@ -91,7 +94,14 @@ std::string call_line(const LoggedCall<N>& call) {
   if (has(field_count)) writer.field("count", fmt::format("{}", call.count));
   if (has(field_t_max) && std::isfinite(call.t_max)) writer.field("t_max", number_text(call.t_max));
   if (has(field_margin)) writer.field("margin", number_text(call.margin));
+  if (has(field_motion)) writer.field("motion", vector_text<N>(call.motion.linear));
+  if (has(field_rotation)) {
+    writer.field("angular", turn_text(call.motion.angular));
+    writer.field("center", vector_text<N>(call.motion.center));
+  }
+  if (has(field_within)) writer.field("within", number_text(call.within));
   if (has(field_layers) && call.layers != all_layers) writer.field("layers", fmt::format("{}", call.layers));
+  if (has(field_except) && !call.except.empty()) writer.list("except", call.except, id_text);
   return writer.finished();
 }
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include <graze/math/motion.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
@@ -24,7 +25,7 @@ inline constexpr std::uint32_t logged_scene = 1;
 /// The `owner` of ids that another scene returned.
 inline constexpr std::uint32_t other_scene = 2;
 
-/// The member functions of Scene and SceneView that a log can hold.
+/// The member functions of Scene and SceneView that a log can hold; `nearest_to` is `nearest` to a shape.
 enum class CallKind : std::uint8_t {
   plan_ids,
   layer,
@@ -32,6 +33,8 @@ enum class CallKind : std::uint8_t {
   move,
   move_many,
   remove,
+  except,
+  accept,
   update,
   find,
   candidates,
@@ -43,9 +46,15 @@ enum class CallKind : std::uint8_t {
   nearest,
   ray_cast,
   ray_cast_all,
+  shape_cast,
+  shape_cast_all,
+  time_of_impact,
+  contacts_with,
+  nearest_to,
+  closest_pairs,
 };
 /// The number of CallKinds.
-inline constexpr std::size_t call_kinds = 17;
+inline constexpr std::size_t call_kinds = 25;
 
 /// The arguments of a call, as bits of a set.
 enum CallFields : std::uint32_t {
@@ -61,6 +70,10 @@ enum CallFields : std::uint32_t {
   field_count = 1U << 9U,
   field_t_max = 1U << 10U,
   field_margin = 1U << 11U,
+  field_motion = 1U << 12U,
+  field_rotation = 1U << 13U,
+  field_within = 1U << 14U,
+  field_except = 1U << 15U,
 };
 
 /// How a kind of call is written.
@@ -78,6 +91,8 @@ inline constexpr std::array<CallForm, call_kinds> call_forms = {{
     {"move", field_id | field_shape, true},
     {"move_many", field_ids | field_shapes, true},
     {"remove", field_id, true},
+    {"except", field_ids, true},
+    {"accept", field_ids, true},
     {"update", 0, false},
     {"find", field_name, false},
     {"candidates", field_margin, false},
@@ -89,6 +104,12 @@ inline constexpr std::array<CallForm, call_kinds> call_forms = {{
     {"nearest", field_shape | field_count | field_layers, false},
     {"ray_cast", field_shape | field_t_max | field_layers, false},
     {"ray_cast_all", field_shape | field_t_max | field_layers, false},
+    {"shape_cast", field_shape | field_motion | field_layers | field_except, false},
+    {"shape_cast_all", field_shape | field_motion | field_layers | field_except, false},
+    {"time_of_impact", field_shape | field_motion | field_rotation | field_layers | field_except, false},
+    {"contacts_with", field_shape | field_layers | field_except, false},
+    {"nearest_to", field_shape | field_count | field_layers | field_except, false},
+    {"closest_pairs", field_within, false},
 }};
 
 /// The form of a kind of call.
@@ -102,17 +123,21 @@ constexpr bool has_field(CallKind kind, CallFields field) { return (form_of(kind
 template <Dim N>
 struct LoggedCall {
   CallKind kind = CallKind::update;              ///< The function that was called.
-  std::vector<ObjectId> ids = {};                ///< One for `move` and `remove`.
+  std::vector<ObjectId> ids = {};                ///< One for `move` and `remove`, two for `except` and `accept`.
   std::vector<ObjectId> vacant_ids = {};         ///< The second argument of `plan_ids`.
   std::vector<AnyShape<N, double>> shapes = {};  ///< As many as ids for `move_many`, otherwise one: the shape of an
-                                                 ///< object, the region, the point (`nearest`) or the ray.
+                                                 ///< object, the region, the point (`nearest`), the ray, or
+                                                 ///< the shape that moves or is near.
   std::vector<Vec<N, double>> corners = {};      ///< The corners of a frustum.
   ObjectOptions options = {};                    ///< The options of an object.
   std::string name = {};                         ///< The name of a layer or object.
   LayerMask layers = all_layers;                 ///< The layers of a query.
-  std::uint64_t count = 0;                       ///< The number of objects for `nearest`.
+  std::vector<ObjectId> except = {};             ///< The objects that a query leaves out.
+  std::uint64_t count = 0;                       ///< The number of objects for `nearest` and `nearest_to`.
   double t_max = std::numeric_limits<double>::infinity();  ///< The end of a ray.
   double margin = 0;                                       ///< The margin of `candidates`.
+  Motion<N, double> motion = {};                           ///< The motion of a shape; for casts only `linear`.
+  double within = 0;                                       ///< The distance for `closest_pairs`.
   std::string fault = {};  ///< If the arguments cannot be written, because they are not numbers or not a valid shape,
                            ///< what is wrong with them; then only `kind` is used. Scenes reject such calls.
 };

@@ -34,6 +34,10 @@ class Successor {
         return scene_.move(moves(call));
       case CallKind::remove:
         return scene_.remove(here(call.ids.front()));
+      case CallKind::except:
+        return scene_.except(here(call.ids[0]), here(call.ids[1]));
+      case CallKind::accept:
+        return scene_.accept(here(call.ids[0]), here(call.ids[1]));
       default:
         return;  // a query: changes nothing
     }

@@ -35,6 +35,10 @@ std::optional<ObjectId> SideBySide<N>::here(const ObjectId& name) const {
 template <Dim N>
 std::optional<LoggedCall<N>> SideBySide<N>::translated(const LoggedCall<N>& call) const {
   LoggedCall<N> result = call;
+  result.except.clear();
+  for (const ObjectId& name : call.except) {
+    if (const auto id = here(name)) result.except.push_back(*id);
+  }
   if (call.kind == CallKind::plan_ids || call.ids.empty()) return result;
   result.ids.clear();
   std::vector<AnyShape<N, double>> shapes;
@@ -44,7 +48,8 @@ std::optional<LoggedCall<N>> SideBySide<N>::translated(const LoggedCall<N>& call
     result.ids.push_back(*id);
     if (i < call.shapes.size()) shapes.push_back(call.shapes[i]);
   }
-  if (result.ids.empty()) return std::nullopt;
+  const bool is_of_two = call.kind == CallKind::except || call.kind == CallKind::accept;
+  if (result.ids.empty() || (is_of_two && result.ids.size() != call.ids.size())) return std::nullopt;
   result.shapes = std::move(shapes);
   return result;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstddef>
 
 #include <graze/io/log/side_by_side.hpp>
@@ -12,6 +13,13 @@ template <Dim N>
 std::string text_of(const ObjectOptions& options, const AnyShape<N, double>& shape) {
   LoggedCall<N> call{.kind = CallKind::add, .shapes = {shape}, .options = options};
   return call_line(call);
+}
+
+/// The pair that a call excepts or accepts.
+template <Dim N>
+ObjectPair pair_of(const LoggedCall<N>& call) {
+  const auto [a, b] = std::minmax(call.ids[0], call.ids[1]);
+  return {a, b};
 }
 
 }  // namespace
@@ -37,6 +45,26 @@ std::map<ObjectId, std::string> state_after(std::span<const LogEntry<N>> entries
   return state;
 }
 
+template <Dim N>
+std::set<ObjectPair> excepted_after(std::span<const LogEntry<N>> entries) {
+  std::set<ObjectPair> excepted;
+  for (const LogEntry<N>& entry : entries) {
+    const LoggedCall<N>& call = entry.call;
+    if (!entry.answer || entry.answer->refusal) continue;
+    if (call.kind == CallKind::remove) {
+      const ObjectId gone = call.ids.front();
+      std::erase_if(excepted, [gone](const ObjectPair& pair) { return pair.a == gone || pair.b == gone; });
+    } else if (call.kind == CallKind::except) {
+      excepted.insert(pair_of(call));
+    } else if (call.kind == CallKind::accept) {
+      excepted.erase(pair_of(call));
+    }
+  }
+  return excepted;
+}
+
+template std::set<ObjectPair> excepted_after(std::span<const LogEntry<2>>);
+template std::set<ObjectPair> excepted_after(std::span<const LogEntry<3>>);
 template std::map<ObjectId, std::string> state_after(std::span<const LogEntry<2>>);
 template std::map<ObjectId, std::string> state_after(std::span<const LogEntry<3>>);
 

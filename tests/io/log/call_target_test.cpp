@@ -13,12 +13,14 @@ using Call = LoggedCall<2>;
 using Ball = Sphere<2, double>;
 
 constexpr ObjectId first{0, 1, logged_scene};
+constexpr ObjectId second{1, 1, logged_scene};
 
 /// A target's answers about a small sphere and a large one, in the form of a log.
 std::vector<std::string> answers_of(const TargetMaker<2>& maker, double radius) {
   const auto target = maker();
   const AnyShape<2, double> sphere = Ball{{1, 0}, 1};
   const AnyShape<2, double> ray = Ray<2, double>{{-4, 0}, {1, 0}};
+  const AnyShape<2, double> mover = Vec<2, double>(-4, 0);
   const std::vector<Call> calls{
       {.kind = CallKind::layer, .name = "walls"},
       {.kind = CallKind::add, .shapes = {Ball{}}, .options = {.name = "a"}},
@@ -35,6 +37,16 @@ std::vector<std::string> answers_of(const TargetMaker<2>& maker, double radius) 
       {.kind = CallKind::nearest, .shapes = {Vec<2, double>(3, 0)}, .count = 1},
       {.kind = CallKind::ray_cast, .shapes = {ray}},
       {.kind = CallKind::ray_cast_all, .shapes = {ray}, .t_max = 4},
+      {.kind = CallKind::shape_cast, .shapes = {mover}, .motion = {{8, 0}}},
+      {.kind = CallKind::shape_cast_all, .shapes = {mover}, .except = {first}, .motion = {{8, 0}}},
+      {.kind = CallKind::time_of_impact, .shapes = {mover}, .except = {first}, .motion = {{8, 0}, 0, {0, 1}}},
+      {.kind = CallKind::contacts_with, .shapes = {Vec<2, double>(0, 0)}, .except = {first}},
+      {.kind = CallKind::nearest_to, .shapes = {mover}, .except = {second}, .count = 2},
+      {.kind = CallKind::closest_pairs, .within = 1},
+      {.kind = CallKind::except, .ids = {second, first}},
+      {.kind = CallKind::pairs},
+      {.kind = CallKind::accept, .ids = {first, second}},
+      {.kind = CallKind::except, .ids = {first, first}},
       {.kind = CallKind::move_many, .ids = {first}, .shapes = {Ball{{9, 0}, 1}}},
       {.kind = CallKind::contacts},
       {.kind = CallKind::remove, .ids = {first}},
@@ -65,6 +77,16 @@ const std::vector<std::string> expected = {
     R"({"answer": [[[1, 1], 1]]})",
     R"({"answer": [[[0, 1], 3.75, -0.25, 0, -1, 0]]})",
     R"({"answer": [[[0, 1], 3.75, -0.25, 0, -1, 0], [[1, 1], 4, 0, 0, -1, 0]]})",
+    R"({"answer": [[[0, 1], 0.46875, -0.25, 0, 1, 0]]})",
+    R"({"answer": [[[1, 1], 0.5, 0, 0, 1, 0]]})",
+    R"({"answer": [[[1, 1], 0.5, 0, 0, 1, 0]]})",
+    R"({"answer": [[[1, 1], 1, 0, 0, 0, 0, 0, 0]]})",
+    R"({"answer": [[[0, 1], 3.75]]})",
+    R"({"answer": [[[0, 1], [1, 1], 0]]})",
+    R"({"answer": []})",
+    R"({"answer": []})",
+    R"({"answer": []})",
+    "refused",
     R"({"answer": []})",
     R"({"answer": []})",
     R"({"answer": []})",

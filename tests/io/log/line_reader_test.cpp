@@ -37,6 +37,8 @@ TEST(LogLineReader, ReadsEveryKindOfCall) {
           R"({"call": "move_many", "ids": [[3, 1], null], "shapes": [{"type": "point", "position": [0, 1]}, )"
           R"({"type": "compound", "parts": []}]})",
           R"({"call": "remove", "id": null})",
+          R"({"call": "except", "ids": [[3, 1], [0, 1]]})",
+          R"({"call": "accept", "ids": [[3, 1], null]})",
           R"({"call": "update"})",
           R"({"call": "find", "name": ""})",
           R"({"call": "candidates", "margin": -1})",
@@ -48,6 +50,14 @@ TEST(LogLineReader, ReadsEveryKindOfCall) {
           R"({"call": "nearest", "shape": {"type": "point", "position": [0, 1]}, "count": 3})",
           R"({"call": "ray_cast", "shape": {"type": "ray", "origin": [0, 1], "direction": [1, 0]}, "t_max": -0.5})",
           R"({"call": "ray_cast_all", "shape": {"type": "ray", "origin": [0, 1], "direction": [1, 0]}})",
+          R"({"call": "shape_cast", "shape": {"type": "point", "position": [0, 1]}, "motion": [3, -0.5], "layers": 3})",
+          R"({"call": "shape_cast_all", "shape": {"type": "point", "position": [0, 1]}, "motion": [3, 0], )"
+          R"("except": [[0, 1], null]})",
+          R"({"call": "time_of_impact", "shape": {"type": "point", "position": [0, 1]}, "motion": [3, 0], )"
+          R"("angular": -1.5, "center": [0, 1]})",
+          R"({"call": "contacts_with", "shape": {"type": "point", "position": [0, 1]}, "layers": 0})",
+          R"({"call": "nearest_to", "shape": {"type": "point", "position": [0, 1]}, "count": 3})",
+          R"({"call": "closest_pairs", "within": 0.5})",
           R"({"call": "add", "fault": "a sphere has a negative radius"})",
       }) {
     EXPECT_EQ(call_again(line), line);

@@ -51,6 +51,23 @@ TEST(LoggedCall, WritesOfAQuestionWhatIsNotTheDefault) {
             R"({"call": "cull_frustum", "corners": [[0, 0], [1, 0]]})");
 }
 
+TEST(LoggedCall, WritesTheMotionOfAShape) {
+  const std::string shape = R"("shape": {"type": "point", "position": [1, 2]})";
+  Call cast{.kind = CallKind::shape_cast, .shapes = {Vec<2, double>(1, 2)}, .motion = {{3, 0.5}, 7, {1, 0}}};
+  EXPECT_EQ(call_line(cast), R"({"call": "shape_cast", )" + shape + R"(, "motion": [3, 0.5]})");
+  cast.kind = CallKind::time_of_impact;
+  cast.except = {third};
+  EXPECT_EQ(call_line(cast), R"({"call": "time_of_impact", )" + shape +
+                                 R"(, "motion": [3, 0.5], "angular": 7, "center": [1, 0], "except": [[3, 1]]})");
+  const LoggedCall<3> in_3d{
+      .kind = CallKind::time_of_impact, .shapes = {Vec<3, double>(1, 2, 3)}, .motion = {{}, {1, 2, 3}, {}}};
+  EXPECT_NE(call_line(in_3d).find(R"("angular": [1, 2, 3])"), std::string::npos);
+  EXPECT_EQ(call_line(Call{.kind = CallKind::closest_pairs, .within = 0.5}),
+            R"({"call": "closest_pairs", "within": 0.5})");
+  EXPECT_EQ(call_line(Call{.kind = CallKind::except, .ids = {third, {0, 1, logged_scene}}}),
+            R"({"call": "except", "ids": [[3, 1], [0, 1]]})");
+}
+
 TEST(LoggedCall, OfAFaultSaysNothingElse) {
   EXPECT_EQ(call_line(Call{.kind = CallKind::move, .fault = "a sphere has a negative radius"}),
             R"({"call": "move", "fault": "a sphere has a negative radius"})");
@@ -98,6 +115,7 @@ TEST(LoggedCall, TheJsonSchemaHasTheCallsAndTheirFields) {
     call.options = {"b", 2, 5, 7, Mobility::fixed};
     call.t_max = 1;
     call.layers = 3;
+    call.except = {third};
     EXPECT_EQ(keys_of(definition.at("properties")), fields_of(call)) << name;
   }
   EXPECT_EQ(lines, expected_lines);

@@ -31,6 +31,7 @@ TEST(SceneAfter, IsTheSceneThatWasRecorded) {
   recorded.remove(gone);
   const ObjectId ball_id = recorded.add(Sphere<2>{{3, 1}, 0.5F}, {.name = "ball", .layer = things, .user = 7});
   recorded.move(ball_id, Sphere<2>{{2, 1}, 0.3F});
+  recorded.except(ball_id, wall);
   EXPECT_THROW(recorded.move(gone, Sphere<2>{}), std::out_of_range);
   EXPECT_THROW(recorded.add(Sphere<2>{{0, 0}, -1}), std::invalid_argument);
 
@@ -48,6 +49,7 @@ TEST(SceneAfter, IsTheSceneThatWasRecorded) {
   EXPECT_EQ(moved.radius, static_cast<double>(0.3F));
   EXPECT_EQ(scene.find("wall")->index, wall.index);
   EXPECT_FALSE(scene.find("gone"));
+  EXPECT_TRUE(scene.excepted(found, *scene.find("wall")));
 }
 
 TEST(SceneAfter, KnowsPlannedIds) {

@@ -43,6 +43,21 @@ TEST(SideBySide, LeavesObjectsOutOfMovesOfMany) {
   EXPECT_EQ(std::get<Ball>(step->call.shapes.front()).center.x, 2);
 }
 
+TEST(SideBySide, LeavesOutExceptionsOfObjectsThatAreNotHere) {
+  const std::set<ObjectId> names{a, b};
+  SideBySide<2> run(library_targets<2>(NumberType::double_precision), names);
+  const Entry except{{.kind = CallKind::except, .ids = {a, b}}, LoggedAnswer{}};
+  const Entry nearest{{.kind = CallKind::nearest_to, .shapes = {Ball{}}, .except = {a, b}, .count = 9}, LoggedAnswer{}};
+  run.perform(add(b));
+  EXPECT_FALSE(run.perform(except));
+  EXPECT_EQ(run.perform(nearest)->call.except, (std::vector<ObjectId>{a}));  // b, which has the first id here
+  run.perform(add(a));
+  EXPECT_EQ(run.perform({{.kind = CallKind::pairs}, LoggedAnswer{}})->given.rows.size(), 1U);
+  ASSERT_TRUE(run.perform(except));
+  EXPECT_TRUE(run.perform({{.kind = CallKind::pairs}, LoggedAnswer{}})->given.rows.empty());
+  EXPECT_TRUE(run.perform(nearest)->given.rows.empty());
+}
+
 TEST(SideBySide, TakesIdsThatAreNoNamesAsTheyAre) {
   const std::set<ObjectId> names;
   SideBySide<2> run(library_targets<2>(NumberType::double_precision), names);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -35,6 +36,21 @@ TEST(LogState, IsNotChangedByWhatWasRefused) {
   EXPECT_EQ(state_after<2>(entries), state_after<2>(std::vector<Entry>{add(a, Ball{})}));
 }
 
+TEST(LogState, HasTheExceptedPairs) {
+  const auto change = [](CallKind kind, const ObjectId& one, const ObjectId& other) {
+    return Entry{{.kind = kind, .ids = {one, other}}, LoggedAnswer{}};
+  };
+  std::vector<Entry> entries{add(a, Ball{}), add(b, Ball{}), change(CallKind::except, b, a)};
+  EXPECT_EQ(excepted_after<2>(entries), (std::set<ObjectPair>{{a, b}}));
+  std::vector<Entry> accepted = entries;
+  accepted.push_back(change(CallKind::accept, a, b));
+  EXPECT_TRUE(excepted_after<2>(accepted).empty());
+  accepted.back().answer->refusal = "no";
+  EXPECT_EQ(excepted_after<2>(accepted), excepted_after<2>(entries));
+  entries.push_back({{.kind = CallKind::remove, .ids = {b}}, LoggedAnswer{}});
+  EXPECT_TRUE(excepted_after<2>(entries).empty());
+}
+
 TEST(LogState, OfAListLeavesOutOtherObjects) {
   const auto is_a = [](const ObjectId& id) { return id == a; };
   const auto left = without_others(CallKind::overlapping, logged(std::vector<ObjectId>{a, b}), is_a);
@@ -48,6 +64,10 @@ TEST(LogState, DoesNotGuessWhoComesNext) {
   EXPECT_TRUE(without_others(CallKind::find, logged(a), is_a));
   EXPECT_FALSE(without_others(CallKind::find, logged(b), is_a));
   EXPECT_FALSE(without_others(CallKind::nearest, logged(std::vector<NearObject<double>>{{a, 1}, {b, 2}}), is_a));
+  EXPECT_FALSE(without_others(CallKind::nearest_to, logged(std::vector<NearObject<double>>{{a, 1}, {b, 2}}), is_a));
+  EXPECT_FALSE(without_others(CallKind::shape_cast, logged(b), is_a));
+  EXPECT_FALSE(without_others(CallKind::time_of_impact, logged(b), is_a));
+  EXPECT_TRUE(without_others(CallKind::shape_cast_all, logged(b), is_a)->rows.empty());
   EXPECT_FALSE(without_others(CallKind::pairs, {.digest = AnswerDigest{70, 1}}, is_a));
 }
 
