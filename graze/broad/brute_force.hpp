@@ -8,6 +8,7 @@
 
 #include <graze/broad/index/key_table.hpp>
 #include <graze/broad/index/region.hpp>
+#include <graze/broad/index/swept_box.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/distance_squared.hpp>
@@ -75,16 +76,16 @@ class BruteForce {
   template <VisitorOf<Key, double> Visit>
   void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
     detail::require_ray(ray);
-    std::vector<Hit> hits;
-    for (std::uint32_t slot = 0; slot < keys_.slots(); ++slot) {
-      if (!keys_.is_taken(slot)) continue;
-      if (const auto t = detail::entry_of(ray, boxes_[slot])) hits.push_back({*t, keys_.key_of(slot)});
-    }
-    std::sort(hits.begin(), hits.end());
-    detail::GuardedVisit guarded(visit, keys_);
-    for (const Hit& hit : hits) {
-      if (!guarded(hit.key, hit.t)) return;
-    }
+    visit_in_order([&ray](const Box& box) { return detail::entry_of(ray, box); }, visit);
+  }
+
+  /// Calls visit(key, t) for every box that `box` touches while it moves along `motion`, in order of t, ties by key,
+  /// until it returns false. t is from 0 to 1; 0 if they touch at the start. Allocates a list of all hits. Throws
+  /// std::invalid_argument for an invalid box and if the motion is not finite.
+  template <VisitorOf<Key, double> Visit>
+  void cast(const Box& box, const Vec<N, T>& motion, Visit&& visit) const {
+    const detail::SweptBox<N> sweep = detail::swept_box_in_index(box, motion);
+    visit_in_order([&sweep](const Box& other) { return sweep.touch(other); }, visit);
   }
 
   /// The k boxes nearest to the point, or all if there are fewer: by distance, ties by key. Throws
@@ -112,6 +113,21 @@ class BruteForce {
   }
 
  private:
+  /// Calls visit(key, t) for every box with a time, t = *time(box), in order of t, ties by key, until it returns false.
+  template <class Time, class Visit>
+  void visit_in_order(const Time& time, Visit& visit) const {
+    std::vector<Hit> hits;
+    for (std::uint32_t slot = 0; slot < keys_.slots(); ++slot) {
+      if (!keys_.is_taken(slot)) continue;
+      if (const auto t = time(boxes_[slot])) hits.push_back({*t, keys_.key_of(slot)});
+    }
+    std::sort(hits.begin(), hits.end());
+    detail::GuardedVisit guarded(visit, keys_);
+    for (const Hit& hit : hits) {
+      if (!guarded(hit.key, hit.t)) return;
+    }
+  }
+
   struct Hit {
     double t;
     Key key;

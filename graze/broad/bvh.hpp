@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include <graze/broad/index/index_pairs.hpp>
 #include <graze/broad/index/key_table.hpp>
 #include <graze/broad/index/region.hpp>
+#include <graze/broad/index/swept_box.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/distance_squared.hpp>
@@ -135,6 +137,19 @@ class Bvh {
     detail::require_ray(ray);
     detail::GuardedVisit guarded(visit, keys_);
     detail::visit_along(tree_, ray, [&](const detail::BvhName& name, double t) { return guarded(key_of(name), t); });
+  }
+
+  /// Calls visit(key, t) for every box that `box` touches while it moves along `motion`, in order of t, ties by key,
+  /// until it returns false. t is from 0 to 1; 0 if they touch at the start. Throws std::invalid_argument for an
+  /// invalid box and if the motion is not finite.
+  template <VisitorOf<Key, double> Visit>
+  void cast(const Box& box, const Vec<N, T>& motion, Visit&& visit) const {
+    const detail::SweptBox<N> sweep = detail::swept_box_in_index(box, motion);
+    detail::GuardedVisit guarded(visit, keys_);
+    constexpr double forever = std::numeric_limits<double>::infinity();
+    detail::visit_swept(
+        tree_, sweep, [&sweep](const Box& other) { return sweep.touch(other); },
+        [&](const detail::BvhName& name, double t) { return guarded(key_of(name), t) ? forever : -forever; });
   }
 
   /// The k boxes nearest to the point, or all if there are fewer: by distance, ties by key. Throws

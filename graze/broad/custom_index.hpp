@@ -13,6 +13,7 @@
 #include <graze/broad/index/index_pairs.hpp>
 #include <graze/broad/index/key_table.hpp>
 #include <graze/broad/index/region.hpp>
+#include <graze/broad/index/swept_box.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
@@ -125,16 +126,18 @@ class CustomIndex {
   template <VisitorOf<Key, double> Visit>
   void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
     detail::require_ray(ray);
-    std::vector<std::pair<double, Key>> hits;
-    visit_candidates(reach_of(ray), [&](std::uint32_t slot) {
-      if (const auto t = detail::entry_of(ray, boxes_[slot])) hits.emplace_back(*t, keys_.key_of(slot));
-      return true;
-    });
-    std::sort(hits.begin(), hits.end());
-    detail::GuardedVisit guarded(visit, keys_);
-    for (const auto& [t, key] : hits) {
-      if (!guarded(key, t)) return;
-    }
+    visit_in_order(
+        reach_of(ray), [&ray](const Box& box) { return detail::entry_of(ray, box); }, visit);
+  }
+
+  /// Calls visit(key, t) for every box that `box` touches while it moves along `motion`, in order of t, ties by key,
+  /// until it returns false. t is from 0 to 1; 0 if they touch at the start. Allocates a list of all hits. Throws
+  /// std::invalid_argument for an invalid box and if the motion is not finite.
+  template <VisitorOf<Key, double> Visit>
+  void cast(const Box& box, const Vec<N, T>& motion, Visit&& visit) const {
+    const detail::SweptBox<N> sweep = detail::swept_box_in_index(box, motion);
+    visit_in_order(
+        sweep.template reach<T>(largest_), [&sweep](const Box& other) { return sweep.touch(other); }, visit);
   }
 
   /// The k boxes nearest to the point, or all if there are fewer: by distance, ties by key. Searches boxes of growing
@@ -167,6 +170,22 @@ class CustomIndex {
   void settle(std::uint32_t slot, const Box& box) noexcept {
     boxes_[slot] = box;
     largest_ = std::max(largest_, detail::finite_size(box));
+  }
+
+  /// Calls visit(key, t) for every box in a region with a time, t = *time(box), in order of t, ties by key, until it
+  /// returns false.
+  template <class Time, class Visit>
+  void visit_in_order(const Box& reach, const Time& time, Visit& visit) const {
+    std::vector<std::pair<double, Key>> hits;
+    visit_candidates(reach, [&](std::uint32_t slot) {
+      if (const auto t = time(boxes_[slot])) hits.emplace_back(*t, keys_.key_of(slot));
+      return true;
+    });
+    std::sort(hits.begin(), hits.end());
+    detail::GuardedVisit guarded(visit, keys_);
+    for (const auto& [t, key] : hits) {
+      if (!guarded(key, t)) return;
+    }
   }
 
   /// A finder is not asked about a region that nothing can meet.

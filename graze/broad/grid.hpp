@@ -10,6 +10,7 @@
 #include <graze/broad/index/index_pairs.hpp>
 #include <graze/broad/index/key_table.hpp>
 #include <graze/broad/index/region.hpp>
+#include <graze/broad/index/swept_box.hpp>
 #include <graze/broad/memory/short_list.hpp>
 #include <graze/broad/orthtree/walk.hpp>
 #include <graze/broad/spatial_index.hpp>
@@ -108,8 +109,21 @@ class Grid {
   void ray_cast(const Ray<N, T>& ray, Visit&& visit) const {
     detail::require_ray(ray);
     detail::GuardedVisit guarded(visit, keys_);
-    detail::visit_cells_along(cells_, ray,
-                              [&](std::uint32_t slot, double t) { return guarded(keys_.key_of(slot), t); });
+    detail::visit_cells_along(
+        cells_, [&ray](const Box& box) { return detail::entry_of(ray, box); },
+        [&](std::uint32_t slot, double t) { return guarded(keys_.key_of(slot), t); });
+  }
+
+  /// Calls visit(key, t) for every box that `box` touches while it moves along `motion`, in order of t, ties by key,
+  /// until it returns false. t is from 0 to 1; 0 if they touch at the start. Throws std::invalid_argument for an
+  /// invalid box and if the motion is not finite.
+  template <VisitorOf<Key, double> Visit>
+  void cast(const Box& box, const Vec<N, T>& motion, Visit&& visit) const {
+    const detail::SweptBox<N> sweep = detail::swept_box_in_index(box, motion);
+    detail::GuardedVisit guarded(visit, keys_);
+    detail::visit_cells_along(
+        cells_, [&sweep](const Box& other) { return sweep.touch(other); },
+        [&](std::uint32_t slot, double t) { return guarded(keys_.key_of(slot), t); });
   }
 
   /// The k boxes nearest to the point, or all if there are fewer: by distance, ties by key. Throws

@@ -15,6 +15,10 @@
 ///     query(region, visit)      Calls visit(key) once for every box that meets the region (region.hpp).
 ///     ray_cast(ray, visit)      Calls visit(key, t) for every box that the ray enters, in order of t, ties by key. The
 ///                               ray is inside the box from origin + t * direction on; t is 0 if it starts there.
+///     cast(box, motion, visit)  Calls visit(key, t) for every box that the moving box touches, in order of t, ties by
+///     key.
+///                               The box has moved by t * motion then, with t from 0 to 1; t is 0 if they touch at
+///                               once.
 ///     nearest(point, k)         Returns the k boxes nearest to the point, or all: by distance, ties by key.
 ///     pairs(visit)              Calls visit(a, b) once for every two boxes that share a point, ascending, a < b.
 ///
@@ -79,6 +83,7 @@ concept SpatialIndex = requires(I& index, const I& reading, const Key& key, bool
   reading.query(typename I::Box{}, visit);
   reading.query(Sphere<dimension_of<typename I::Box>, scalar_of<typename I::Box>>{}, visit);
   reading.ray_cast(Ray<dimension_of<typename I::Box>, scalar_of<typename I::Box>>{}, visit_hit);
+  reading.cast(typename I::Box{}, decltype(I::Box::min){}, visit_hit);
   { reading.nearest(decltype(I::Box::min){}, std::size_t{}) } -> std::same_as<std::vector<Neighbour>>;
   reading.pairs(visit_pair);
 };

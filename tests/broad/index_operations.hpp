@@ -95,7 +95,8 @@ class Trial {
       case 9:
         return compare_nearest(point(step, 2), static_cast<std::size_t>(std::abs(step[1])));
       case 10:
-        return compare_rays(step);
+        compare_rays(step);
+        return compare_casts(step);
       default:
         return refuse_nonsense(step, pick);
     }
@@ -315,6 +316,25 @@ class Trial {
       const Ray<N, T> ray{point(step, 2), along};
       RC_ASSERT(same_visits(hits_of(index_, ray, keys_.size() + 1), hits_of(judge_, ray, keys_.size() + 1)));
       RC_ASSERT(same_visits(hits_of(index_, ray, 1), hits_of(judge_, ray, 1)));
+    }
+  }
+
+  void compare_casts(const Step& step) const {
+    const auto hits_of = [](const auto& index, const Box& box, const Vec<N, T>& motion, std::size_t most) {
+      std::vector<std::pair<Key, double>> hits;
+      index.cast(box, motion, [&hits, most](Key key, double t) {
+        hits.emplace_back(key, t);
+        return hits.size() < most;
+      });
+      return hits;
+    };
+    const Vec<N, T> corner = point(step, 2);
+    for (const Box& box : {Box{corner, corner}, Box{corner, corner + egg_radii(T(0))}}) {
+      for (const Vec<N, T>& motion : {direction(step), unit_axis<N, T>(N - 1) * length(9), Vec<N, T>(T(0))}) {
+        RC_ASSERT(same_visits(hits_of(index_, box, motion, keys_.size() + 1),
+                              hits_of(judge_, box, motion, keys_.size() + 1)));
+        RC_ASSERT(same_visits(hits_of(index_, box, motion, 1), hits_of(judge_, box, motion, 1)));
+      }
     }
   }
 

@@ -196,6 +196,9 @@ TYPED_TEST_P(SpatialIndexLaws, AQuestionAboutNonsenseIsRefused) {
               index.ray_cast(Ray<N, T>{Vec<N, T>(T(0)), Vec<N, T>(T(0))}, ignore);
             }),
             "SpatialIndex: the ray has a direction of length zero");
+  EXPECT_THROW(index.cast(box, Vec<N, T>(T(1)), ignore), std::invalid_argument);
+  EXPECT_EQ(message_of([&] { index.cast(cube<TypeParam>(0), Vec<N, T>(nan), ignore); }),
+            "SpatialIndex: the motion has a number that is not finite");
 }
 
 TYPED_TEST_P(SpatialIndexLaws, TheVisitorEndsAVisitAndItsExceptionPassesThrough) {
@@ -213,9 +216,10 @@ TYPED_TEST_P(SpatialIndexLaws, TheVisitorEndsAVisitAndItsExceptionPassesThrough)
   const Ray<dimension_of<Box>, scalar_of<Box>> along{cube<TypeParam>(0).min};
   EXPECT_THROW(index.query(Box::everything(), fail), std::runtime_error);
   EXPECT_THROW(index.ray_cast(along, fail), std::runtime_error);
+  EXPECT_THROW(index.cast(cube<TypeParam>(0), along.direction, fail), std::runtime_error);
   index.insert(cube<TypeParam>(0));
   EXPECT_THROW(index.pairs(fail), std::runtime_error);
-  EXPECT_EQ(visits, 3);
+  EXPECT_EQ(visits, 4);
   EXPECT_EQ(count(index, Box::everything()), 31U);
 }
 
@@ -232,6 +236,7 @@ auto visits_of_all() {
         index.query(Ball{cube<I>(0).min, 5}, [&](Key) { call(); });
       },
       [](const I& index, const auto& call) { index.ray_cast(Along{cube<I>(0).min}, [&](Key, double) { call(); }); },
+      [](const I& index, const auto& call) { index.cast(cube<I>(0), cube<I>(0).min, [&](Key, double) { call(); }); },
       [](const I& index, const auto& call) { index.pairs([&](Key, Key) { call(); }); },
   };
   if constexpr (requires(const I& index) { index.visit_cells([](const auto&) {}); }) {
@@ -329,6 +334,38 @@ TYPED_TEST_P(SpatialIndexLaws, RaysMeetBoxesInOrderAndEqualOnesByKey) {
   EXPECT_EQ(hits, (std::vector<std::pair<Key, double>>{{around, 0}}));
 }
 
+TYPED_TEST_P(SpatialIndexLaws, AMovingBoxMeetsBoxesInOrderAndEqualOnesByKey) {
+  using Box = typename TypeParam::Box;
+  constexpr Dim N = dimension_of<Box>;
+  using T = scalar_of<Box>;
+  using Hits = std::vector<std::pair<Key, double>>;
+  TypeParam index;
+  const Key far = index.insert(cube<TypeParam>(8));
+  const Key near = index.insert(cube<TypeParam>(4));
+  const Key twin = index.insert(cube<TypeParam>(4));
+  index.insert(cube<TypeParam>(-5));
+  Vec<N, T> motion(T(0));
+  const auto hits_of = [&](const Box& box, std::size_t most) {
+    Hits hits;
+    index.cast(box, motion, [&](Key key, double t) {
+      hits.emplace_back(key, t);
+      return hits.size() < most;
+    });
+    return hits;
+  };
+  const T side = cube<TypeParam>(0).max[0];  // cubes begin at their number
+  const Box mover = cube<TypeParam>(0);
+  motion[0] = 2 * (T(8) - side);
+  const double t_near = static_cast<double>(T(4) - side) / static_cast<double>(motion[0]);
+  EXPECT_EQ(hits_of(mover, 9), (Hits{{near, t_near}, {twin, t_near}, {far, 0.5}}));
+  EXPECT_EQ(hits_of(mover, 1), (Hits{{near, t_near}}));
+  motion[0] = T(8) - side;
+  EXPECT_EQ(hits_of(mover, 9).back(), (std::pair<Key, double>{far, 1}));  // it arrives
+  motion[0] = T(0);
+  EXPECT_TRUE(hits_of(mover, 9).empty());
+  EXPECT_EQ(hits_of(cube<TypeParam>(4), 9), (Hits{{near, 0}, {twin, 0}}));
+}
+
 TYPED_TEST_P(SpatialIndexLaws, TheNearestComeByDistanceAndEqualOnesByKey) {
   using Box = typename TypeParam::Box;
   TypeParam index;
@@ -360,7 +397,7 @@ REGISTER_TYPED_TEST_SUITE_P(SpatialIndexLaws, AnySequenceOfOperationsAnswersAsBr
                             ABoxThatIsNoneIsRefusedAndNothingIsLost, ABoxWithInfiniteSidesIsFoundWhereItReaches,
                             AQuestionAboutNonsenseIsRefused, TheVisitorEndsAVisitAndItsExceptionPassesThrough,
                             AVisitorThatChangesTheIndexIsAnError, ManyThreadsMayAskAtOnceAndHearTheSame,
-                            RaysMeetBoxesInOrderAndEqualOnesByKey, TheNearestComeByDistanceAndEqualOnesByKey,
-                            ThePlacesOfErasedBoxesAreUsedAgain);
+                            RaysMeetBoxesInOrderAndEqualOnesByKey, AMovingBoxMeetsBoxesInOrderAndEqualOnesByKey,
+                            TheNearestComeByDistanceAndEqualOnesByKey, ThePlacesOfErasedBoxesAreUsedAgain);
 
 }  // namespace graze::test

@@ -177,14 +177,14 @@ void visit_along(const BvhTree<N, T>& tree, const Ray<N, T>& ray, const Visit& v
   if (first && visit(first->name, first->t)) visit_along_after(tree, ray, *first, visit);
 }
 
-/// Calls visit(name) for every box that a moving box may touch, by SweptBox::entry, ties by slot. What it returns is
-/// the t up to which it is interested in further boxes.
-template <Dim N, class T, class Visit>
-void visit_swept(const BvhTree<N, T>& tree, const SweptBox<N>& sweep, const Visit& visit) {
+/// Calls visit(name, t) for every box that a moving box touches, by time(box), ties by slot. What it returns is the t
+/// up to which it is interested in further boxes. `time` is `sweep.touch` or `sweep.entry`.
+template <Dim N, class T, class Time, class Visit>
+void visit_swept(const BvhTree<N, T>& tree, const SweptBox<N>& sweep, const Time& time, const Visit& visit) {
   ShortHeap<BvhRanked, bvh_path, BvhRanked::Before> open;
   double limit = std::numeric_limits<double>::infinity();
   const auto look_at = [&](const Aabb<N, T>& box, const BvhRanked& ranked) {
-    const std::optional<double> t = sweep.entry(box);
+    const std::optional<double> t = time(box);
     if (t && *t <= limit) open.push({*t, ranked.index, ranked.generation, ranked.is_box});
   };
   for (const BvhName& name : tree.infinite()) look_at(tree.box(name.slot), {0, name.slot, name.generation, true});
@@ -197,7 +197,7 @@ void visit_swept(const BvhTree<N, T>& tree, const SweptBox<N>& sweep, const Visi
   while (!open.empty() && open.top().rank <= limit) {
     const BvhRanked next = open.pop();
     if (next.is_box) {
-      limit = visit(BvhName{next.index, next.generation});
+      limit = visit(BvhName{next.index, next.generation}, next.rank);
       continue;
     }
     const BvhLink link = BvhLink::of_code(next.index);

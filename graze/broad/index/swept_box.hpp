@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 
 #include <graze/broad/index/region.hpp>
+#include <graze/broad/spatial_index.hpp>
 #include <graze/math/motion.hpp>
+#include <graze/math/platform/throw.hpp>
 #include <graze/math/rotation.hpp>
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
@@ -25,11 +28,11 @@ class SweptBox {
   SweptBox(const Aabb<N, double>& box, const Vec<N, double>& motion, double growth = 0)
       : box_(box), motion_(motion), growth_(growth) {}
 
-  /// A lower bound on the t at which the boxes first share a point; none if they certainly do not. Never later for a
-  /// box that contains another, because differences, quotients and maxima round monotonically. Infinite differences
-  /// are correct: a difference that overflows is longer than any motion.
+  /// The t at which the boxes first share a point, with two roundings; none if they do not, or only by less than that.
+  /// Never later for a box that contains another, because differences, quotients and maxima round monotonically.
+  /// Infinite differences are correct: a difference that overflows is longer than any motion.
   template <class T>
-  std::optional<double> entry(const Aabb<N, T>& other) const {
+  std::optional<double> touch(const Aabb<N, T>& other) const {
     const double slack = growth_ > 0 ? growth_ * finite_size(other) : 0;
     double enter = 0;
     double leave = 1;
@@ -43,9 +46,16 @@ class SweptBox {
       enter = std::max(enter, (motion_[i] > 0 ? low : high) / motion_[i]);
       leave = std::min(leave, (motion_[i] > 0 ? high : low) / motion_[i]);
     }
-    enter *= 1 - tolerance::ray_slabs;
     if (!(enter <= leave * (1 + tolerance::ray_slabs))) return std::nullopt;
-    return enter;
+    return std::min(enter, 1.0);
+  }
+
+  /// A lower bound on that t; none only if they certainly share no point.
+  template <class T>
+  std::optional<double> entry(const Aabb<N, T>& other) const {
+    std::optional<double> t = touch(other);
+    if (t) *t *= 1 - tolerance::ray_slabs;
+    return t;
   }
 
   /// A box in T around the whole path. It overlaps every box with coordinates up to `size` that has an entry.
@@ -65,6 +75,16 @@ class SweptBox {
   Vec<N, double> motion_;
   double growth_;
 };
+
+/// The path of a box in an index. Throws std::invalid_argument for a box that no index accepts and a motion that is not
+/// finite.
+template <Dim N, class T>
+SweptBox<N> swept_box_in_index(const Aabb<N, T>& box, const Vec<N, T>& motion) {
+  require_box(box);
+  if (!is_finite(motion))
+    GRAZE_THROW(std::invalid_argument("SpatialIndex: the motion has a number that is not finite"));
+  return {{wide<N, T>(box.min), wide<N, T>(box.max)}, wide<N, T>(motion)};
+}
 
 /// The length of a vector that may be infinite, or too long or short for squares.
 template <Dim N>

@@ -70,7 +70,7 @@ void visit_cells_met(const Cells& cells, const Probe& probe, const Visit& visit)
   }
 }
 
-/// A box, by its slot, or a cell that a ray enters.
+/// A box, by its slot, or a cell that a ray or a moving box enters.
 struct CellHit {
   double t;
   bool is_box;
@@ -85,18 +85,19 @@ struct CellHit {
   };
 };
 
-/// Calls visit(slot, t) for every box that a ray enters, in order of t, ties by slot, until it returns false.
-template <class Cells, Dim N, class T, class Visit>
-void visit_cells_along(const Cells& cells, const Ray<N, T>& ray, const Visit& visit) {
+/// Calls visit(slot, t) for every box that a ray or a moving box enters, in order of t = *time(box), ties by slot,
+/// until it returns false. Of a box that contains another, the time must not be later.
+template <class Cells, class Time, class Visit>
+void visit_cells_along(const Cells& cells, const Time& time, const Visit& visit) {
   ShortHeap<CellHit, cell_walk_room, CellHit::Sooner> open;
-  const auto push_entries = [&](const Cell<N, T>& cell) {
-    cells.pool().for_each(cell.entries, [&](const Entry<N, T>& entry) {
-      if (const auto t = entry_of(ray, entry.box)) open.push({*t, true, entry.slot});
+  const auto push_entries = [&](const auto& cell) {
+    cells.pool().for_each(cell.entries, [&](const auto& entry) {
+      if (const auto t = time(entry.box)) open.push({*t, true, entry.slot});
     });
   };
   const auto open_group = [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t cell = first; cell < first + count; ++cell) {
-      if (const auto t = entry_of(ray, cells.cell(cell).bounds)) open.push({*t, false, cell});
+      if (const auto t = time(cells.cell(cell).bounds)) open.push({*t, false, cell});
     }
   };
   push_entries(cells.cell(Cells::outside));
@@ -107,7 +108,7 @@ void visit_cells_along(const Cells& cells, const Ray<N, T>& ray, const Visit& vi
       if (!visit(next.index, next.t)) return;
       continue;
     }
-    const Cell<N, T>& cell = cells.cell(next.index);
+    const auto& cell = cells.cell(next.index);
     push_entries(cell);
     if (cell.first_child != no_index) open_group(cell.first_child, Cells::children);
   }

@@ -102,7 +102,9 @@ class SlotIndex {
   /// the t up to which it is interested in further boxes.
   template <class Visit>
   void visit_swept(const SweptBox<N>& sweep, const Visit& visit) const {
-    graze::detail::visit_swept(tree_, sweep, [&visit](const BvhName& name) { return visit(name.slot); });
+    graze::detail::visit_swept(
+        tree_, sweep, [&sweep](const Aabb<N, T>& box) { return sweep.entry(box); },
+        [&visit](const BvhName& name, double) { return visit(name.slot); });
   }
 
   /// The k boxes nearest to a box, which may be a point, or all if there are fewer; the index of each key is the slot.
