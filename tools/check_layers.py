@@ -25,6 +25,7 @@ SOURCES = [".hpp", ".cpp", ".cpp.in", ".py", ".sh", ".cmake", ".cmake.in", "CMak
 TESTED_ELSEWHERE = {
     "graze/math/lanes/paired.hpp": ("tests/query/ray/filters_test.cpp", "used by the ray filters"),
     "graze/math/platform/compiler.hpp": ("tests/package/test_compiler.py", "refuses compilers and flags"),
+    "graze/math/platform/export.hpp": ("tests/package/exports/test_exports.py", "what a shared library exports"),
     "graze/math/platform/has_lanes.hpp": ("tests/math/lanes/lanes_test.cpp", "two macros that lanes.hpp uses"),
     "graze/math/platform/throw.hpp": ("tests/package/test_compiler.py", "errors without exceptions"),
     "graze/shape/fields/transformed.hpp": ("tests/query/transformed_test.cpp", "moves every shape"),

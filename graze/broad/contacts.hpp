@@ -8,6 +8,7 @@
 
 #include <graze/broad/pair.hpp>
 #include <graze/broad/touching_pairs.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -28,8 +29,9 @@ struct PairContact {
 /// `touching_pairs`, oriented boxes in 3D up to 1.5x. Shapes must be valid, as for `manifold`. Throws std::out_of_range
 /// if an index of a pair is not below the number of shapes. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
-std::vector<PairContact<N, T>> contacts(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates,
-                                        const TouchOptions& options = {});
+GRAZE_EXPORT std::vector<PairContact<N, T>> contacts(std::span<const AnyShape<N, T>> shapes,
+                                                     std::span<const Pair> candidates,
+                                                     const TouchOptions& options = {});
 
 /// The overload for a vector, from which a span's template arguments cannot be deduced.
 template <class Any>
@@ -50,7 +52,7 @@ struct ShapesToContact {
 /// Writes manifold(*a, *b) of each pair, bit for bit, in the calling thread. All must touch; this is not tested again
 /// for oriented boxes in 3D. Allocates nothing.
 template <Dim N, class T>
-void contacts_of(std::span<const ShapesToContact<N, T>> pairs);
+GRAZE_EXPORT void contacts_of(std::span<const ShapesToContact<N, T>> pairs);
 
 }  // namespace detail
 }  // namespace graze

@@ -7,10 +7,12 @@
 #include <functional>
 #include <memory>
 
+#include <graze/math/platform/export.hpp>
+
 namespace graze {
 
 /// Runs independent tasks. Results never depend on it, because work is split into the same tasks for every executor.
-class Executor {
+class GRAZE_EXPORT Executor {
  public:
   virtual ~Executor() = default;
 
@@ -24,14 +26,14 @@ class Executor {
 };
 
 /// Uses all cores, through oneTBB's shared pool.
-const Executor& default_executor();
+GRAZE_EXPORT const Executor& default_executor();
 
 /// Uses the calling thread alone, with tasks in ascending order.
-const Executor& serial_executor();
+GRAZE_EXPORT const Executor& serial_executor();
 
 /// Uses at most this many threads of oneTBB's pool, the calling thread included, and at most as many as the machine
 /// has. Throws std::invalid_argument for 0.
-std::unique_ptr<Executor> limited_executor(std::size_t threads);
+GRAZE_EXPORT std::unique_ptr<Executor> limited_executor(std::size_t threads);
 
 namespace detail {
 

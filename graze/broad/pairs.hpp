@@ -13,6 +13,7 @@
 
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pair.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -28,13 +29,13 @@ enum class PairMethod {
 };
 
 /// The name of a method as the command line spells it.
-std::string_view name_of(PairMethod method);
+GRAZE_EXPORT std::string_view name_of(PairMethod method);
 
 /// The method with this name, or none.
-std::optional<PairMethod> pair_method_named(std::string_view name);
+GRAZE_EXPORT std::optional<PairMethod> pair_method_named(std::string_view name);
 
 /// All methods, in the order of the enumeration.
-std::span<const PairMethod> all_pair_methods();
+GRAZE_EXPORT std::span<const PairMethod> all_pair_methods();
 
 /// The order of the returned pairs.
 enum class PairOrder {
@@ -56,13 +57,13 @@ struct PairOptions {
 /// or if the margin is negative, infinite or NaN, and std::length_error beyond 2^32 - 1 boxes. Instantiated for 2D and
 /// 3D, float and double. `visit_overlapping_pairs` needs less memory; a PairFinder is faster for boxes that move.
 template <Dim N, class T>
-std::vector<Pair> overlapping_pairs(std::span<const Aabb<N, T>> boxes, const PairOptions& options = {});
+GRAZE_EXPORT std::vector<Pair> overlapping_pairs(std::span<const Aabb<N, T>> boxes, const PairOptions& options = {});
 
 /// Every pair of a box of one sequence (index a) and a box of another (index b) that share a point. Otherwise as for
 /// one sequence.
 template <Dim N, class T>
-std::vector<Pair> overlapping_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
-                                    const PairOptions& options = {});
+GRAZE_EXPORT std::vector<Pair> overlapping_pairs(std::span<const Aabb<N, T>> boxes_a,
+                                                 std::span<const Aabb<N, T>> boxes_b, const PairOptions& options = {});
 
 /// The overload for a vector, from which a span's template arguments cannot be deduced.
 template <Dim N, class T>
@@ -87,19 +88,19 @@ using PairVisitor = std::function<bool(std::span<const Pair>)>;
 /// them; the visitor is called only from the calling thread. Throws like `overlapping_pairs`, and what the visitor
 /// throws.
 template <Dim N, class T>
-void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit,
-                             const PairOptions& options = {});
+GRAZE_EXPORT void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit,
+                                          const PairOptions& options = {});
 
 /// The pairs of a box of one sequence (index a) and a box of another (index b), passed to a visitor in blocks.
 template <Dim N, class T>
-void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
-                             const PairVisitor& visit, const PairOptions& options = {});
+GRAZE_EXPORT void visit_overlapping_pairs(std::span<const Aabb<N, T>> boxes_a, std::span<const Aabb<N, T>> boxes_b,
+                                          const PairVisitor& visit, const PairOptions& options = {});
 
 /// `overlapping_pairs` for boxes that move: keeps its memory and what it knows of the boxes' positions from frame to
 /// frame, which saves time while their number stays the same and they move little. The pairs depend only on the boxes
 /// of the call; so does their order if it is `sorted`, but not if it is `any`. One thread at a time.
 template <Dim N, class T = float>
-class PairFinder {
+class GRAZE_EXPORT PairFinder {
  public:
   /// Creates a finder that has seen no boxes.
   PairFinder();

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -34,13 +35,13 @@ enum class World {
 };
 
 /// The name of a world as the command line spells it.
-std::string_view name_of(World world);
+GRAZE_EXPORT std::string_view name_of(World world);
 
 /// The world with this name, or none.
-std::optional<World> world_named(std::string_view name);
+GRAZE_EXPORT std::optional<World> world_named(std::string_view name);
 
 /// All worlds, in the order of the enumeration.
-std::span<const World> all_worlds();
+GRAZE_EXPORT std::span<const World> all_worlds();
 
 namespace detail {
 
@@ -56,7 +57,7 @@ struct MovingBody {
 /// The boxes of a world, frame by frame. Instantiated for 2D and 3D, float and double; the float boxes are the double
 /// ones, rounded.
 template <Dim N, class T = float>
-class MovingBoxes {
+class GRAZE_EXPORT MovingBoxes {
  public:
   /// Creates the first frame, with `count` boxes.
   MovingBoxes(World world, std::size_t count, std::uint64_t seed);

@@ -7,6 +7,7 @@
 #include <span>
 
 #include <graze/broad/pairs.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -17,14 +18,15 @@ namespace graze {
 /// time. The first pairs come before all are found. Up to that number it takes about twice the time of
 /// `overlapping_pairs`; beyond it, boxes are searched range by range. Throws like `overlapping_pairs`.
 template <Dim N, class T>
-void visit_sorted_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit, const PairOptions& options = {});
+GRAZE_EXPORT void visit_sorted_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit,
+                                     const PairOptions& options = {});
 
 namespace detail {
 
 /// Holds at most `most` pairs at a time, or twice the number of boxes if that is more.
 template <Dim N, class T>
-void visit_sorted_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit, const PairOptions& options,
-                        std::size_t most);
+GRAZE_EXPORT void visit_sorted_pairs(std::span<const Aabb<N, T>> boxes, const PairVisitor& visit,
+                                     const PairOptions& options, std::size_t most);
 
 }  // namespace detail
 

@@ -9,6 +9,7 @@
 
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pair.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/verdict.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -25,18 +26,18 @@ struct TouchOptions {
 /// are decided one by one in double. Shapes must be valid, as for `relation`. Throws std::out_of_range if an index of a
 /// pair is not below the number of shapes. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
-std::vector<Relation> relations(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> pairs,
-                                const TouchOptions& options = {});
+GRAZE_EXPORT std::vector<Relation> relations(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> pairs,
+                                             const TouchOptions& options = {});
 
 /// The candidates whose shapes intersect (touching counts), in their order. Shapes and errors as for `relations`.
 template <Dim N, class T>
-std::vector<Pair> touching_pairs(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates,
-                                 const TouchOptions& options = {});
+GRAZE_EXPORT std::vector<Pair> touching_pairs(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates,
+                                              const TouchOptions& options = {});
 
 /// The overload for shapes of one type, which avoids sorting by type: Sphere, Aabb, Obb or Capsule.
 template <class S>
-std::vector<Pair> touching_pairs(std::span<const S> shapes, std::span<const Pair> candidates,
-                                 const TouchOptions& options = {});
+GRAZE_EXPORT std::vector<Pair> touching_pairs(std::span<const S> shapes, std::span<const Pair> candidates,
+                                              const TouchOptions& options = {});
 
 /// The overload for a vector, from which a span's template arguments cannot be deduced.
 template <class S>
@@ -56,7 +57,7 @@ struct ShapePair {
 
 /// Writes the relations of the pairs to `out`, which has room for them; runs in the calling thread.
 template <Dim N, class T>
-void relations_of(std::span<const ShapePair<N, T>> pairs, Relation* out);
+GRAZE_EXPORT void relations_of(std::span<const ShapePair<N, T>> pairs, Relation* out);
 
 }  // namespace detail
 }  // namespace graze

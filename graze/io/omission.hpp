@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <graze/math/platform/export.hpp>
+
 namespace graze::io {
 
 /// What a scene lacks because of an omission.
@@ -29,20 +31,20 @@ struct Omission {
 
 /// The omissions that leave out a shape, so that results may be incomplete. Data streams list only these, because many
 /// files contain things without a shape.
-std::vector<Omission> missing_shapes(std::span<const Omission> omissions);
+GRAZE_EXPORT std::vector<Omission> missing_shapes(std::span<const Omission> omissions);
 
 /// "3 x text object"; for a missing shape also its place and the reason: "1 x unknown layer (level.tmx, line 12: graze
 /// does not know this kind of layer)".
-std::string omission_text(const Omission& omission);
+GRAZE_EXPORT std::string omission_text(const Omission& omission);
 
 /// A JSON array on one line, with `what`, `count`, `loss`, `where` and `why` of each.
-std::string omissions_json(std::span<const Omission> omissions);
+GRAZE_EXPORT std::string omissions_json(std::span<const Omission> omissions);
 
 /// A line of NDJSON: `{"not_read": ...}` with the same members.
-std::string omission_ndjson(const Omission& omission);
+GRAZE_EXPORT std::string omission_ndjson(const Omission& omission);
 
 /// A row of CSV under `header`, the column names: the text in the first column, "not_read" in the column `kind`, which
 /// tells rows apart, and nothing in the others.
-std::string omission_csv(const Omission& omission, std::string_view header, std::string_view kind);
+GRAZE_EXPORT std::string omission_csv(const Omission& omission, std::string_view header, std::string_view kind);
 
 }  // namespace graze::io

@@ -19,6 +19,7 @@
 #include <graze/io/log/logged_call.hpp>
 #include <graze/io/log/logged_ids.hpp>
 #include <graze/math/motion.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/scene/scene_query.hpp>
@@ -38,7 +39,7 @@ namespace graze::io {
 /// OutputError, before it does anything, if its arguments cannot be written (see call_line). The caller checks the
 /// state of the stream. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T = float>
-class RecordedScene {
+class GRAZE_EXPORT RecordedScene {
  public:
   /// Starts a log on a stream, which must outlive this object, with the current state of a scene. Throws
   /// std::logic_error if the scene has changed since its last update, because the log could not reproduce its next

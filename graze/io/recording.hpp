@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -40,7 +41,7 @@ struct RecordingHead {
 };
 
 /// Reads a recording frame by frame, in any order; beside the boxes requested, only a block of a frame is in memory.
-class RecordingReader {
+class GRAZE_EXPORT RecordingReader {
  public:
   /// Opens a regular file and reads its header. Throws InputError if that fails, or if the file's size differs from
   /// what the header states.
@@ -70,7 +71,7 @@ class RecordingReader {
 /// byte; std::logic_error if N is not the header's dimension, or a frame has another number of boxes than the header.
 /// The caller checks the state of `out`.
 template <Dim N>
-void write_recording(std::ostream& out, const RecordingHead& head,
-                     const std::function<std::span<const Aabb<N, float>>(std::size_t)>& boxes_of);
+GRAZE_EXPORT void write_recording(std::ostream& out, const RecordingHead& head,
+                                  const std::function<std::span<const Aabb<N, float>>(std::size_t)>& boxes_of);
 
 }  // namespace graze::io

@@ -11,6 +11,7 @@
 #include <graze/io/log/logged_answer.hpp>
 #include <graze/io/log/query_log.hpp>
 #include <graze/io/log/side_by_side.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::io {
@@ -38,7 +39,7 @@ inline constexpr std::size_t most_differences = 10;
 /// Performs all calls on a new subject and a new judge, and compares the results bit for bit; exceptions count as equal
 /// whatever their messages. `on_call` is called with the number of calls done.
 template <Dim N>
-ReplayReport replay(const QueryLog<N>& log, const ReplayTargets<N>& targets,
-                    const std::function<void(std::size_t)>& on_call = {});
+GRAZE_EXPORT ReplayReport replay(const QueryLog<N>& log, const ReplayTargets<N>& targets,
+                                 const std::function<void(std::size_t)>& on_call = {});
 
 }  // namespace graze::io

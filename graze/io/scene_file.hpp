@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <graze/io/omission.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/scene/scene.hpp>
 
 namespace graze::io {
@@ -40,10 +41,11 @@ struct SceneFile {
 
 /// Reads a scene file: the library's JSON format, CSV, or a Tiled map in XML or JSON, distinguished by content, not by
 /// name. Throws InputError.
-SceneFile read_scene(const std::filesystem::path& path);
+GRAZE_EXPORT SceneFile read_scene(const std::filesystem::path& path);
 
 /// Reads a scene from text. `source` names it in messages; relative references (Tiled's tilesets and templates) are
 /// resolved from `folder`. Throws InputError.
-SceneFile parse_scene(std::string_view text, const std::string& source, const std::filesystem::path& folder);
+GRAZE_EXPORT SceneFile parse_scene(std::string_view text, const std::string& source,
+                                   const std::filesystem::path& folder);
 
 }  // namespace graze::io

@@ -9,6 +9,7 @@
 
 #include <graze/io/log/query_log.hpp>
 #include <graze/io/log/side_by_side.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::io {
@@ -29,7 +30,7 @@ namespace graze::io {
 /// Both targets are created and run for every try; `on_try` is called with the number of tries. A subject that ends the
 /// process cannot be shrunk.
 template <Dim N>
-std::optional<QueryLog<N>> shrunk(const QueryLog<N>& log, const ReplayTargets<N>& targets,
-                                  const std::function<void(std::size_t)>& on_try = {});
+GRAZE_EXPORT std::optional<QueryLog<N>> shrunk(const QueryLog<N>& log, const ReplayTargets<N>& targets,
+                                               const std::function<void(std::size_t)>& on_try = {});
 
 }  // namespace graze::io

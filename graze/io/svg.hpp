@@ -5,6 +5,7 @@
 #include <span>
 
 #include <graze/io/scene_file.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/scene/scene.hpp>
 
 namespace graze::io {
@@ -15,6 +16,6 @@ namespace graze::io {
 /// are cut off at the edge of the picture; shapes beyond 1e100 are counted, not drawn. Thousands of objects are drawn
 /// with less detail, so that 100,000 take about 10 MB. Writes nothing before the picture is complete. Throws
 /// std::invalid_argument if a pair names no object of the scene.
-void write_svg(std::ostream& out, const SceneFile& file, std::span<const ObjectPair> reported);
+GRAZE_EXPORT void write_svg(std::ostream& out, const SceneFile& file, std::span<const ObjectPair> reported);
 
 }  // namespace graze::io

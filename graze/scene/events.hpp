@@ -9,6 +9,7 @@
 #include <graze/broad/index/key_table.hpp>
 #include <graze/broad/memory/buffer.hpp>
 #include <graze/broad/pair.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/storage/list_edit.hpp>
 
@@ -23,12 +24,12 @@ struct SceneEvents {
 };
 
 /// The events between two ascending lists of pairs, neither with duplicates.
-SceneEvents events_between(const std::vector<ObjectPair>& before, const std::vector<ObjectPair>& after);
+GRAZE_EXPORT SceneEvents events_between(const std::vector<ObjectPair>& before, const std::vector<ObjectPair>& after);
 
 namespace detail {
 
 /// The pairs that touched when these events were found, ascending: those that began and those that stayed.
-std::vector<ObjectPair> pairs_of(const SceneEvents& events);
+GRAZE_EXPORT std::vector<ObjectPair> pairs_of(const SceneEvents& events);
 
 /// Whether the objects in the slots are known to be those of the last update.
 enum class SlotReuse : std::uint8_t { the_same, maybe_others };
@@ -52,12 +53,12 @@ struct ListedPairs {
 };
 
 /// The events between the pairs of the last update and those that touch now, given as ascending pairs of slots.
-void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids, SlotReuse slot_reuse,
-                 NextEvents& next);
+GRAZE_EXPORT void find_events(const SceneEvents& last, std::span<const Pair> found, const KeyTable& ids,
+                              SlotReuse slot_reuse, NextEvents& next);
 
 /// The same by a list of pairs, if each slot has had one object. `young` belongs to the last events.
-void find_events(const SceneEvents& last, const YoungMarks& young, const ListedPairs& pairs, const KeyTable& ids,
-                 NextEvents& next);
+GRAZE_EXPORT void find_events(const SceneEvents& last, const YoungMarks& young, const ListedPairs& pairs,
+                              const KeyTable& ids, NextEvents& next);
 
 /// Turns the events of the last update into the next ones if few pairs begin and end. Keeps its memory.
 class EventsEdit {

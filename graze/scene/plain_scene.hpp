@@ -15,6 +15,7 @@
 
 #include <graze/broad/index/key_table.hpp>
 #include <graze/math/motion.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/events.hpp>
 #include <graze/scene/object.hpp>
@@ -31,7 +32,7 @@ namespace graze {
 /// for tests and for checking the results of a scene. The contracts of its members are those in scene.hpp and
 /// scene_view.hpp. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T = float>
-class PlainScene {
+class GRAZE_EXPORT PlainScene {
  public:
   /// As Scene::add.
   ObjectId add(AnyShape<N, T> shape, ObjectOptions options = {});

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <graze/broad/executor.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/events.hpp>
 #include <graze/scene/object.hpp>
@@ -48,7 +49,7 @@ concept CopiedIntoAnyShape = requires(const S& shape) {
 /// until the next `layer`, those of `update` and `events` until the next `update`, even one that throws. References
 /// from a snapshot are valid as long as it lives.
 template <Dim N, class T = float>
-class Scene : public SceneView<N, T> {
+class GRAZE_EXPORT Scene : public SceneView<N, T> {
  public:
   /// Adds an object. Throws std::invalid_argument, naming the fault, if the shape is invalid (see `defect`), the name
   /// is taken or the layer is not below `max_layers`, and std::length_error beyond `max_objects`.

@@ -17,6 +17,7 @@
 #include <graze/broad/index/key_table.hpp>
 #include <graze/broad/index/swept_box.hpp>
 #include <graze/math/motion.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/impact.hpp>
 #include <graze/query/manifold.hpp>
@@ -95,7 +96,7 @@ struct ObjectContact {
 /// on its layers, or a SceneQuery, which can also leave out single objects. Instantiated for 2D and 3D, float and
 /// double.
 template <Dim N, class T = float>
-class SceneView {
+class GRAZE_EXPORT SceneView {
  public:
   /// True while the id names an object.
   bool contains(ObjectId id) const { return ids_.contains({id.index, id.generation, id.owner}); }

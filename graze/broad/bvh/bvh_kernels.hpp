@@ -10,6 +10,7 @@
 #include <graze/broad/bvh/node.hpp>
 #include <graze/broad/simd/space_kernels.hpp>
 #include <graze/broad/spatial_index.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/ray.hpp>
@@ -95,6 +96,6 @@ std::int64_t bvh_kernel_targets();
 
 /// The kernels for this machine. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
-const BvhKernels<N, T>& bvh_kernels();
+GRAZE_EXPORT const BvhKernels<N, T>& bvh_kernels();
 
 }  // namespace graze::detail

@@ -12,6 +12,7 @@
 #include <graze/broad/executor.hpp>
 #include <graze/broad/memory/buffer.hpp>
 #include <graze/broad/memory/prefetch.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -19,7 +20,7 @@ namespace graze::detail {
 
 /// Calls require_box for each; fast if all are finite.
 template <Dim N, class T>
-void require_boxes(std::span<const Aabb<N, T>> boxes);
+GRAZE_EXPORT void require_boxes(std::span<const Aabb<N, T>> boxes);
 
 /// The boxes of a Bvh by slot, and the tree over them: an R-tree (Guttman 1984, "R-trees: a dynamic index structure for
 /// spatial searching") whose nodes have up to sixteen entries. All leaf nodes have the same depth, and all nodes except
@@ -30,7 +31,7 @@ void require_boxes(std::span<const Aabb<N, T>> boxes);
 /// The bounds of leaf nodes are grown by the margin; all others are tight. Boxes with infinite sides are in a list
 /// beside the tree, whose boxes are all finite.
 template <Dim N, class T>
-class BvhTree {
+class GRAZE_EXPORT BvhTree {
  public:
   using Box = Aabb<N, T>;
   using Node = BvhNode<N, T>;

@@ -10,6 +10,7 @@
 #include <graze/broad/memory/prefetch.hpp>
 #include <graze/broad/orthtree/entry_pool.hpp>
 #include <graze/broad/orthtree/tree.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -33,7 +34,7 @@ namespace detail {
 /// After as many insertions, moves and removals as there are boxes, the base level is chosen again if cells are too
 /// full or too empty, and bounds are recalculated.
 template <Dim N, class T>
-class GridCells {
+class GRAZE_EXPORT GridCells {
  public:
   using Box = Aabb<N, T>;
 

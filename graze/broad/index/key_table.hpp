@@ -11,6 +11,7 @@
 
 #include <graze/broad/memory/buffer.hpp>
 #include <graze/broad/memory/prefetch.hpp>
+#include <graze/math/platform/export.hpp>
 
 namespace graze {
 
@@ -29,7 +30,7 @@ struct Key {
 namespace detail {
 
 /// Which slots of an index are occupied, and by which key.
-class KeyTable {
+class GRAZE_EXPORT KeyTable {
  public:
   /// The generation of a retired slot: the greatest even number.
   static constexpr std::uint32_t used_up = std::numeric_limits<std::uint32_t>::max() - 1;

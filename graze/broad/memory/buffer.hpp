@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <graze/math/platform/export.hpp>
 #include <graze/math/platform/throw.hpp>
 
 namespace graze::detail {
@@ -17,12 +18,12 @@ namespace graze::detail {
 /// Memory aligned to a cache line, which is also the widest vector; large blocks to a large page of the system, if it
 /// has such. Throws std::bad_alloc. Released blocks of 32 KiB or more are kept for later requests, up to a total of 64
 /// MiB, or half of what is in use if that is more.
-void* allocate_pages(std::size_t bytes);
-void release_pages(void* memory, std::size_t bytes) noexcept;
+GRAZE_EXPORT void* allocate_pages(std::size_t bytes);
+GRAZE_EXPORT void release_pages(void* memory, std::size_t bytes) noexcept;
 
 /// Advises the system to use large pages for the whole ones inside memory that has not been written yet. Does nothing
 /// for less, or if the system has none.
-void advise_large_pages(void* memory, std::size_t bytes) noexcept;
+GRAZE_EXPORT void advise_large_pages(void* memory, std::size_t bytes) noexcept;
 
 /// Reserves capacity for this many values in an empty vector, with large pages if that is much.
 template <class Value>

@@ -10,6 +10,7 @@
 #include <graze/broad/orthtree/entry_pool.hpp>
 #include <graze/broad/orthtree/group.hpp>
 #include <graze/broad/simd/space_kernels.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -86,6 +87,6 @@ std::int64_t cell_kernel_targets();
 
 /// The kernels for this machine. Instantiated for 2D and 3D, float and double.
 template <Dim N, class T>
-const CellKernels<N, T>& cell_kernels();
+GRAZE_EXPORT const CellKernels<N, T>& cell_kernels();
 
 }  // namespace graze::detail

@@ -12,6 +12,7 @@
 #include <graze/broad/orthtree/entry_pool.hpp>
 #include <graze/broad/orthtree/group.hpp>
 #include <graze/broad/orthtree/place.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 
@@ -28,7 +29,7 @@ class CellFilling;
 /// Bounds grow with every box. After as many insertions, moves and removals as there are boxes, all bounds are
 /// recalculated.
 template <Dim N, class T>
-class CellTree {
+class GRAZE_EXPORT CellTree {
  public:
   using Box = Aabb<N, T>;
 

@@ -5,6 +5,8 @@
 #include <functional>
 #include <iosfwd>
 
+#include <graze/math/platform/export.hpp>
+
 namespace graze::io {
 
 /// Writes a file completely or not at all: `write` fills a temporary file in the same folder, which replaces the target
@@ -12,6 +14,6 @@ namespace graze::io {
 /// stays unchanged and no temporary file remains. Symbolic links are followed and an existing file's permissions are
 /// kept. Pipes, devices and open streams given by name (/dev/stdout) are appended to directly. Throws OutputError, and
 /// whatever `write` throws.
-void write_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
+GRAZE_EXPORT void write_atomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 }  // namespace graze::io

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include <graze/io/file/open_file_lock.hpp>
+#include <graze/math/platform/export.hpp>
 
 namespace graze::io {
 
@@ -34,6 +35,6 @@ class TemporaryFile {
 };
 
 /// Removes the temporary files being written. For handlers of signals that end the program: async-signal-safe.
-void remove_temporary_files() noexcept;
+GRAZE_EXPORT void remove_temporary_files() noexcept;
 
 }  // namespace graze::io

@@ -8,6 +8,7 @@
 #include <graze/io/log/logged_answer.hpp>
 #include <graze/io/log/logged_call.hpp>
 #include <graze/io/log/query_log.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::io {
@@ -16,7 +17,7 @@ namespace graze::io {
 /// library's scene, the brute-force one or, in tests, a faulty one. A virtual call costs nothing compared to the logged
 /// calls.
 template <Dim N>
-class CallTarget {
+class GRAZE_EXPORT CallTarget {
  public:
   virtual ~CallTarget() = default;
 
@@ -36,10 +37,10 @@ using TargetMaker = std::function<std::unique_ptr<CallTarget<N>>()>;
 
 /// Creates targets with the library's scene.
 template <Dim N>
-TargetMaker<N> scene_targets(NumberType numbers);
+GRAZE_EXPORT TargetMaker<N> scene_targets(NumberType numbers);
 
 /// Creates targets with the brute-force scene (PlainScene).
 template <Dim N>
-TargetMaker<N> plain_scene_targets(NumberType numbers);
+GRAZE_EXPORT TargetMaker<N> plain_scene_targets(NumberType numbers);
 
 }  // namespace graze::io

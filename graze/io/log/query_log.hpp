@@ -15,6 +15,7 @@
 
 #include <graze/io/log/logged_answer.hpp>
 #include <graze/io/log/logged_call.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::io {
@@ -58,11 +59,11 @@ std::string log_head(Dim dimension, NumberType numbers);
 /// Reads a log; messages name it `source`. Throws InputError with the line if the text is not a log or has a newer
 /// version, if a call is unknown, if arguments are invalid or do not fit the call, or if a call succeeded although it
 /// uses an id that no earlier line returned.
-AnyQueryLog parse_query_log(std::string_view text, const std::string& source);
+GRAZE_EXPORT AnyQueryLog parse_query_log(std::string_view text, const std::string& source);
 
 /// Writes a log; numbers survive the round trip bit for bit. Throws OutputError as `call_line` does. The caller checks
 /// the state of `out`.
 template <Dim N>
-void write_query_log(std::ostream& out, const QueryLog<N>& log);
+GRAZE_EXPORT void write_query_log(std::ostream& out, const QueryLog<N>& log);
 
 }  // namespace graze::io

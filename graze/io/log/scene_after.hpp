@@ -5,6 +5,7 @@
 #include <string>
 
 #include <graze/io/log/query_log.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/scene.hpp>
 
@@ -15,6 +16,6 @@ namespace graze::io {
 /// log. `source` names the log in messages. Throws InputError, naming the line, where a scene refuses a call that the
 /// log says was accepted.
 template <Dim N>
-Scene<N, double> scene_after(const QueryLog<N>& log, const std::string& source);
+GRAZE_EXPORT Scene<N, double> scene_after(const QueryLog<N>& log, const std::string& source);
 
 }  // namespace graze::io

@@ -11,6 +11,7 @@
 
 #include <graze/io/omission.hpp>
 #include <graze/io/text/table.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/status.hpp>
@@ -82,13 +83,13 @@ class ReportWriter {
 };
 
 /// Begins a report on `out`, which must outlive the writer. Only tables use colours.
-std::unique_ptr<ReportWriter> begin_report(std::ostream& out, ReportFormat format, const ReportHead& head,
-                                           Colours colours = Colours::off);
+GRAZE_EXPORT std::unique_ptr<ReportWriter> begin_report(std::ostream& out, ReportFormat format, const ReportHead& head,
+                                                        Colours colours = Colours::off);
 
 /// The header fields of a JSON document, each but the first on its own line.
 std::string json_head(const ReportHead& head);
 
 /// The last line of a table: "2 pairs; 5 objects, 3 candidates, 0.001 seconds", or "2 pairs, 1 not converged; ...".
-std::string summary_line(const ReportHead& head, const ReportSummary& summary);
+GRAZE_EXPORT std::string summary_line(const ReportHead& head, const ReportSummary& summary);
 
 }  // namespace graze::io

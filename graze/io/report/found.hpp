@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <graze/io/report/check.hpp>
+#include <graze/math/platform/export.hpp>
 
 namespace graze::io {
 
@@ -38,9 +39,10 @@ struct FoundReport {
 };
 
 /// Writes the objects in the given order. Numbers are the shortest that parse to the same value.
-void write_found(std::ostream& out, ReportFormat format, const FoundReport& report, Colours colours = Colours::off);
+GRAZE_EXPORT void write_found(std::ostream& out, ReportFormat format, const FoundReport& report,
+                              Colours colours = Colours::off);
 
 /// The last line of a table: "2 found; 5 objects, 0.001 seconds".
-std::string summary_line(const FoundReport& report);
+GRAZE_EXPORT std::string summary_line(const FoundReport& report);
 
 }  // namespace graze::io

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <graze/math/platform/export.hpp>
+
 namespace graze::io {
 
 /// Two objects, by name.
@@ -23,6 +25,6 @@ struct FrameReport {
 };
 
 /// Writes a frame as a line of NDJSON.
-void write_frame(std::ostream& out, const FrameReport& report);
+GRAZE_EXPORT void write_frame(std::ostream& out, const FrameReport& report);
 
 }  // namespace graze::io

@@ -8,6 +8,7 @@
 
 #include <graze/io/log/query_log.hpp>
 #include <graze/io/replay.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::io {
@@ -22,11 +23,11 @@ struct ReplayHead {
 
 /// The last line of a table: "2 of 25 answers differ; 2D float, 0.003 seconds".
 template <Dim N>
-std::string summary_line(const ReplayHead& head, const QueryLog<N>& log, const ReplayReport& report);
+GRAZE_EXPORT std::string summary_line(const ReplayHead& head, const QueryLog<N>& log, const ReplayReport& report);
 
 /// Writes the result of a replay. A table lists the calls that differ and shows the first of them in full.
 template <Dim N>
-void write_replay(std::ostream& out, ReplayFormat format, const ReplayHead& head, const QueryLog<N>& log,
-                  const ReplayReport& report);
+GRAZE_EXPORT void write_replay(std::ostream& out, ReplayFormat format, const ReplayHead& head, const QueryLog<N>& log,
+                               const ReplayReport& report);
 
 }  // namespace graze::io

@@ -10,6 +10,7 @@
 
 #include <graze/io/report/check.hpp>
 #include <graze/io/scene_file.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::io {
@@ -59,12 +60,12 @@ struct SceneSummary {
   std::vector<Omission> omissions;
 };
 
-SceneSummary summarise(const SceneFile& file);
+GRAZE_EXPORT SceneSummary summarise(const SceneFile& file);
 
 /// For people.
-void write_summary_table(std::ostream& out, const SceneSummary& summary, Colours colours = Colours::off);
+GRAZE_EXPORT void write_summary_table(std::ostream& out, const SceneSummary& summary, Colours colours = Colours::off);
 
 /// For programs: schema graze.info/1, documented in docs/cli.md.
-void write_summary_json(std::ostream& out, const SceneSummary& summary);
+GRAZE_EXPORT void write_summary_json(std::ostream& out, const SceneSummary& summary);
 
 }  // namespace graze::io

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <graze/math/platform/export.hpp>
+
 namespace graze::io {
 
 /// The number of insertions, deletions, replacements and swaps of adjacent letters that turn one word into the other,
@@ -18,6 +20,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
 std::optional<std::string_view> nearest_name(std::string_view name, std::span<const std::string_view> known);
 
 /// The end of a message about an unknown name: `; did you mean "radius"?`, or if no name is near, `; known: "a", "b"`.
-std::string did_you_mean(std::string_view name, std::span<const std::string_view> known);
+GRAZE_EXPORT std::string did_you_mean(std::string_view name, std::span<const std::string_view> known);
 
 }  // namespace graze::io

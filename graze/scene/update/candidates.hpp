@@ -13,6 +13,7 @@
 #include <graze/broad/memory/prefetch.hpp>
 #include <graze/broad/pair.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/storage/pair_exceptions.hpp>
@@ -30,7 +31,7 @@ namespace graze::detail {
 /// call that threw, they may be neither; the next call then finds them anew. Every call is given the same exceptions as
 /// the last one, up to the changes that `set_exceptions` and `put` have announced.
 template <Dim N, class T>
-class Candidates {
+class GRAZE_EXPORT Candidates {
  public:
   using Box = Aabb<N, T>;
 

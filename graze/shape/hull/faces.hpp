@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::detail {
@@ -19,7 +20,7 @@ using HullTriangle = std::array<std::uint32_t, 3>;
 /// face with more than three corners becomes several triangles, whose corners may include points inside that face or on
 /// its edges. Empty if all points are coplanar, exactly.
 template <class T>
-std::vector<HullTriangle> hull_faces(std::span<const Vec<3, T>> points);
+GRAZE_EXPORT std::vector<HullTriangle> hull_faces(std::span<const Vec<3, T>> points);
 
 #ifdef GRAZE_COMPILED_QUERIES
 extern template std::vector<HullTriangle> hull_faces(std::span<const Vec<3, float>>);

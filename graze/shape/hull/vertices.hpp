@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
 
 namespace graze::detail {
@@ -14,7 +15,7 @@ namespace graze::detail {
 /// The indices of the corners of the convex hull, each once, decided exactly: a point in the hull of the others is not
 /// a corner. At least one point and fewer than 2^32, all finite.
 template <class T>
-std::vector<std::uint32_t> hull_vertices(std::span<const Vec<3, T>> points);
+GRAZE_EXPORT std::vector<std::uint32_t> hull_vertices(std::span<const Vec<3, T>> points);
 
 #ifdef GRAZE_COMPILED_QUERIES
 extern template std::vector<std::uint32_t> hull_vertices(std::span<const Vec<3, float>>);
