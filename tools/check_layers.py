@@ -35,6 +35,8 @@ TESTED_ELSEWHERE = {
     "graze/shape/hull/monotone_chain.hpp": ("tests/shape/polytope_test.cpp", "convex_hull in 2D"),
     "graze/shape/hull/quickhull.hpp": ("tests/shape/hull/faces_test.cpp", "the method behind hull_faces"),
     "graze/query/cast/cast_hit.hpp": ("tests/query/shape_cast_test.cpp", "shape_cast by a ray"),
+    "graze/query/cast/moving_parts.hpp": ("tests/query/parts/visit_test.cpp", "shape_cast of compounds"),
+    "graze/query/closest/nearest_part.hpp": ("tests/query/parts/visit_test.cpp", "closest_points of compounds"),
     "graze/query/compiled/instances.hpp":
         ("tests/package/consumer/queries.cpp", "the queries that a user's file takes from the library"),
     "graze/query/compiled/pairs_2d_double.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
@@ -62,6 +64,7 @@ TESTED_ELSEWHERE = {
     "graze/query/ray/filter/slab.hpp": ("tests/query/ray/filter/box_test.cpp", "used by the filters of boxes"),
     "graze/query/ray/filter/sphere.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),
     "graze/query/ray/hit_lanes.hpp": ("tests/query/ray/filter/box_test.cpp", "writes the results of the ray filters"),
+    "graze/query/ray/parts.hpp": ("tests/query/parts/visit_test.cpp", "ray_cast of compounds"),
     "graze/query/ray_hit.hpp":
         ("tests/query/ray_cast_test.cpp", "structs without functions, for ray_cast"),
     "graze/query/simplex_cache.hpp": ("tests/query/closest/hulls_test.cpp", "a struct that the queries fill"),

@@ -17,6 +17,7 @@
 #include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/scaling/range.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/fields/visit.hpp>
 #include <graze/shape/frustum.hpp>
@@ -174,6 +175,7 @@ Aabb<N, T> bounds(const Frustum<N, T>& frustum) {
 /// The box around the boxes of a compound's parts; Aabb::nothing() for a compound without parts.
 template <Dim N, class T>
 Aabb<N, T> bounds(const Compound<N, T>& compound) {
+  if (const auto* const tree = detail::tree_of(compound.parts)) return tree->bounds();
   Aabb<N, T> box = Aabb<N, T>::nothing();
   for (const Part<N, T>& part : compound.parts) box.grow(part.box);
   return box;
@@ -343,18 +345,39 @@ template <Dim N, class T>
 [[gnu::flatten]] bool may_part_touch(const Part<N, T>& part, const Aabb<N, T>& grown) {
   return boxes_overlap(touching_bounds(part.box), grown) || is_hidden_by_box(part);
 }
+
+/// Compounds with fewer parts have no tree, because a loop over them is as fast.
+inline constexpr std::size_t least_parts_of_tree = 32;
+
+/// The parts with a tree of their grown boxes.
+template <Dim N, class T>
+Parts<N, T> with_tree(std::vector<Part<N, T>> list) {
+  std::vector<Aabb<N, T>> boxes;
+  boxes.reserve(list.size());
+  Aabb<N, T> whole = Aabb<N, T>::nothing();
+  bool has_usual_lengths = true;
+  for (const Part<N, T>& part : list) {
+    boxes.push_back(touching_bounds(part.box));
+    whole.grow(part.box);
+    has_usual_lengths = has_usual_lengths && are_usual(part.shape);
+  }
+  PartTree<N, T> tree(boxes, whole, has_usual_lengths);
+  return parts_with_tree(std::move(list), std::move(tree));
+}
 }  // namespace detail
 
-/// The union of shapes, in their order. Moves them in and calculates the box of each.
+/// The union of shapes, in their order. Moves them in and calculates the box of each. If there are many, it also builds
+/// a tree over the boxes, so that queries take time logarithmic in the number of parts.
 template <Dim N, class T>
 Compound<N, T> compound_of(std::vector<AnyShape<N, T>> shapes) {
-  Compound<N, T> compound;
-  compound.parts.reserve(shapes.size());
+  std::vector<Part<N, T>> list;
+  list.reserve(shapes.size());
   for (AnyShape<N, T>& shape : shapes) {
     const Aabb<N, T> box = bounds(shape);
-    compound.parts.push_back({std::move(shape), box});
+    list.push_back({std::move(shape), box});
   }
-  return compound;
+  const bool is_large = list.size() >= detail::least_parts_of_tree && list.size() < std::uint32_t(-1);
+  return {is_large ? detail::with_tree(std::move(list)) : Parts<N, T>(std::move(list))};
 }
 
 }  // namespace graze

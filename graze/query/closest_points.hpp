@@ -44,6 +44,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 
@@ -52,11 +53,13 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest/convex.hpp>
 #include <graze/query/closest/hulls.hpp>
+#include <graze/query/closest/nearest_part.hpp>
 #include <graze/query/closest/nearly_parallel.hpp>
 #include <graze/query/closest/unbounded.hpp>
 #include <graze/query/compiled/instances.hpp>
 #include <graze/query/cores/closest.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/proximity.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/scaling/range.hpp>
@@ -69,15 +72,6 @@
 namespace graze {
 
 namespace detail {
-
-/// A candidate that is apart is never as near as one that meets, even if its distance underflows.
-template <Dim N>
-bool is_nearer(const Proximity<N, double>& candidate, const Proximity<N, double>& nearest) {
-  if (candidate.relation == Relation::apart || nearest.relation == Relation::apart) {
-    if (candidate.relation != nearest.relation) return nearest.relation == Relation::apart;
-  }
-  return candidate.distance < nearest.distance;
-}
 
 // ---- From cores to shapes
 
@@ -344,34 +338,17 @@ template <class A, class B>
   return result;
 }
 
-/// Whether boxes are farther apart than this.
-template <Dim N, class T>
-bool are_farther_apart(const Aabb<N, T>& a, const Aabb<N, T>& b, double distance) {
-  double squared = 0;
-  for (Dim i = 0; i < N; ++i) {
-    const double above = static_cast<double>(a.min[i]) - static_cast<double>(b.max[i]);
-    const double below = static_cast<double>(b.min[i]) - static_cast<double>(a.max[i]);
-    const double gap = std::max({above, below, 0.0});
-    squared += gap * gap;
-  }
-  return is_farther(squared, distance);
-}
-
 /// The nearest part, of several the first; parts whose boxes are farther away beyond rounding are skipped.
 template <Dim N, class T, class S>
 Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S& shape) {
   const Aabb<N, T> box = touching_bounds(shape);
-  Proximity<N, double> nearest;
-  for (const Part<N, T>& part : compound.parts) {
-    if (nearest.relation == Relation::overlapping) break;
-    if (are_farther_apart(touching_bounds(part.box), box, nearest.distance) && !is_hidden_by_box(part)) continue;
-    const Proximity<N, double> candidate = proximity(part.shape, shape);
-    const Relation relation = std::max(nearest.relation, candidate.relation);
-    const bool is_first = std::isnan(nearest.point_a[0]);  // at any distance, which may overflow
-    if (is_nearer(candidate, nearest) || (is_first && candidate.distance == nearest.distance)) nearest = candidate;
-    nearest.relation = relation;
-  }
-  return nearest;
+  NearestPart<N> best;
+  const MayBeNearest<N, T> may_be_nearest{box, best};
+  visit_parts(compound, may_be_nearest, NearBox<N, T>{box}, [&](const Part<N, T>& part, std::size_t index) {
+    if (!best.is_decided_before(index)) best.add(proximity(part.shape, shape), index);
+    return true;
+  });
+  return best.nearest();
 }
 
 /// Without a branch on the order, which would be mispredicted half of the time.

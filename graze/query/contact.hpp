@@ -50,6 +50,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 
@@ -63,6 +64,7 @@
 #include <graze/query/cores/penetration.hpp>
 #include <graze/query/fast_contact/fast_contact.hpp>
 #include <graze/query/fast_contact/obb/contact.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/status.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -204,13 +206,13 @@ std::optional<Penetration<N>> exchanged(std::optional<Penetration<N>> penetratio
 /// The deepest part, of several the first.
 template <Dim N, class T, class S>
 std::optional<Penetration<N>> penetration_of_parts(const Compound<N, T>& compound, const S& shape) {
-  const Aabb<N, T> box = touching_bounds(shape);
   std::optional<Penetration<N>> deepest;
-  for (const Part<N, T>& part : compound.parts) {
-    if (!may_part_touch(part, box)) continue;
+  FirstPart first;
+  visit_parts(compound, MayTouch<N, T>{touching_bounds(shape)}, [&](const Part<N, T>& part, std::size_t index) {
     const std::optional<Penetration<N>> candidate = penetration(part.shape, shape);
-    if (candidate && (!deepest || candidate->depth > deepest->depth)) deepest = candidate;
-  }
+    if (candidate && first.is_replaced_by(-candidate->depth, index)) deepest = candidate;
+    return true;
+  });
   return deepest;
 }
 

@@ -24,6 +24,7 @@
 #include <cassert>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <limits>
 #include <optional>
 
@@ -35,6 +36,7 @@
 #include <graze/query/cores/surface_point.hpp>
 #include <graze/query/cores/surface_point_box.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/relation/triangle_filter.hpp>
 #include <graze/query/scaling/range.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -329,13 +331,26 @@ double forgiven_outside(const Aabb<N, T>& box, const Vec<N, T>& point) {
   return (tolerance::surface<T> + tolerance::box_slack) * largest;
 }
 
+/// For `visit_parts`: whether a part may be nearer to a point than a distance, or hold it.
+template <Dim N, class T>
+struct MayBeNear {
+  bool operator()(const Aabb<N, T>& box) const {
+    return !is_farther(distance_squared(point, box), distance + forgiven_outside(box, point));
+  }
+  bool operator()(const Part<N, T>& part) const { return (*this)(part.box) || is_hidden_by_box(part); }
+
+  Vec<N, T> point;
+  double distance = 0;
+};
+
 template <Dim N, class T>
 bool is_held(const Compound<N, T>& compound, const Vec<N, T>& point) {
-  return std::any_of(compound.parts.begin(), compound.parts.end(), [&point](const Part<N, T>& part) {
-    const double forgiven = forgiven_outside(part.box, point);
-    const bool is_near = !is_farther(distance_squared(point, part.box), forgiven) || is_hidden_by_box(part);
-    return is_near && is_held(part.shape, point);
+  bool is_found = false;
+  visit_parts(compound, MayBeNear<N, T>{point}, [&](const Part<N, T>& part, std::size_t) {
+    is_found = is_held(part.shape, point);
+    return !is_found;
   });
+  return is_found;
 }
 
 /// Whether the query accepts the shape. A user's type without `defect` counts as valid.

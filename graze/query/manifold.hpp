@@ -47,6 +47,7 @@
 #include <graze/query/fast_contact/obb/choice.hpp>
 #include <graze/query/fast_contact/obb/contact.hpp>
 #include <graze/query/fast_contact/obb/manifold.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/patch/aabb_manifold.hpp>
 #include <graze/query/patch/clipped.hpp>
 #include <graze/query/patch/manifold_points.hpp>
@@ -131,20 +132,14 @@ std::optional<WideManifold<N>> exchanged(std::optional<WideManifold<N>> manifold
 /// The manifold of the deepest part, of several the first, as in `contact`. Nested parts are numbered consecutively.
 template <Dim N, class T, class S>
 std::optional<WideManifold<N>> manifold_of_parts(const Compound<N, T>& compound, const S& shape) {
-  const Aabb<N, T> box = touching_bounds(shape);
-  std::optional<double> depth;
-  std::size_t deepest = 0;
-  for (std::size_t i = 0; i < compound.parts.size(); ++i) {
-    const Part<N, T>& part = compound.parts[i];
-    if (!may_part_touch(part, box)) continue;
-    const std::optional<Penetration<N>> candidate = penetration(part.shape, shape);
-    if (!candidate || (depth && candidate->depth <= *depth)) continue;
-    depth = candidate->depth;
-    deepest = i;
-  }
-  if (!depth) return std::nullopt;
-  std::optional<WideManifold<N>> result = wide_manifold(compound.parts[deepest].shape, shape);
-  if (result) result->part_a = static_cast<std::uint32_t>(result->part_a * compound.parts.size() + deepest);
+  FirstPart deepest;
+  visit_parts(compound, MayTouch<N, T>{touching_bounds(shape)}, [&](const Part<N, T>& part, std::size_t index) {
+    if (const auto candidate = penetration(part.shape, shape)) deepest.is_replaced_by(-candidate->depth, index);
+    return true;
+  });
+  if (deepest.is_none()) return std::nullopt;
+  std::optional<WideManifold<N>> result = wide_manifold(compound.parts[deepest.index()].shape, shape);
+  if (result) result->part_a = static_cast<std::uint32_t>(result->part_a * compound.parts.size() + deepest.index());
   return result;
 }
 

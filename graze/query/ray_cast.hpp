@@ -36,14 +36,17 @@
 #pragma once
 
 #include <cassert>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <type_traits>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/compiled/instances.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/ray/careful.hpp>
 #include <graze/query/ray/filters.hpp>
+#include <graze/query/ray/parts.hpp>
 #include <graze/query/ray_hit.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/scaling/range.hpp>
@@ -123,13 +126,20 @@ std::optional<RayHit<N, T>> first_hit(const AnyShape<N, T>& shape, const Ray<N, 
 template <Dim N, class T>
 std::optional<RayHit<N, T>> first_hit(const Compound<N, T>& compound, const Ray<N, T>& ray, T t_max) {
   std::optional<RayHit<N, T>> best;
-  Path<N> rest{wide<N, T>(ray.origin), wide<N, T>(ray.direction), latest_t(t_max)};
-  for (const Part<N, T>& part : compound.parts) {
-    if (is_usable(rest.direction) && passes_by(touching_bounds(part.box), rest)) continue;
+  FirstPart first;
+  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), latest_t(t_max)};
+  RestOfPath<N> rest(path);
+  const auto visit = [&](const Part<N, T>& part, std::size_t index) {
     const std::optional<RayHit<N, T>> found = first_hit(part.shape, ray, t_max);
-    if (!found || (best && !(found->t < best->t))) continue;
+    if (!found || !first.is_replaced_by(static_cast<double>(found->t), index)) return true;
     best = found;
-    rest.t_max = static_cast<double>(found->t);
+    rest.end_at(latest_t(found->t));
+    return true;
+  };
+  if (is_usable(path.direction)) {
+    visit_parts(compound, rest, AlongDirection<N>{path.direction}, visit);
+  } else {
+    for (std::size_t i = 0; i < compound.parts.size(); ++i) visit(compound.parts[i], i);
   }
   return best;
 }

@@ -36,10 +36,12 @@
 #include <cassert>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/compiled/instances.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/relation/bounded.hpp>
 #include <graze/query/relation/convex.hpp>
 #include <graze/query/relation/polygon.hpp>
@@ -97,12 +99,11 @@ inline constexpr bool sees_nan = (is_core<A> && is_core<B>) || (is_point<A> && i
 /// The closest part decides; parts whose boxes are apart beyond rounding are skipped.
 template <Dim N, class T, class S>
 Relation relation_of_parts(const Compound<N, T>& compound, const S& shape) {
-  const Aabb<N, T> box = touching_bounds(shape);
   Relation closest = Relation::apart;
-  for (const Part<N, T>& part : compound.parts) {
-    if (closest == Relation::overlapping) break;
-    if (may_part_touch(part, box)) closest = std::max(closest, decide(part.shape, shape));
-  }
+  visit_parts(compound, MayTouch<N, T>{touching_bounds(shape)}, [&](const Part<N, T>& part, std::size_t) {
+    closest = std::max(closest, decide(part.shape, shape));
+    return closest != Relation::overlapping;
+  });
   return closest;
 }
 

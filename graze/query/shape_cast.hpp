@@ -49,6 +49,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/cast/cast_hit.hpp>
 #include <graze/query/cast/minkowski_difference.hpp>
+#include <graze/query/cast/moving_parts.hpp>
 #include <graze/query/cast/zonotope_cast.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/compiled/instances.hpp>
@@ -132,11 +133,7 @@ std::optional<CastHit<N>> cast_hit_of_rays(const Ray<N, T>& a, const Vec<N, doub
 /// The box of all points that a shape passes as it moves.
 template <class S>
 Aabb<dimension_of<S>, double> swept_box(const S& shape, const Vec<dimension_of<S>, double>& motion) {
-  constexpr Dim N = dimension_of<S>;
-  const auto box = bounds(shape);
-  Aabb<N, double> swept{wide<N, scalar_of<S>>(box.min), wide<N, scalar_of<S>>(box.max)};
-  swept.grow(Aabb<N, double>{swept.min + motion, swept.max + motion});
-  return swept;
+  return box_swept_by(bounds(shape), motion);
 }
 
 /// A core in double; a ray is cut where it has passed the other, moving shape.
@@ -371,23 +368,6 @@ auto cast_hit_in_range(const A& a, const Vec<dimension_of<A>, double>& motion, c
         return resized(cast_hit(scaled_a, scaled_motion, scaled_b), power.inverse());
       },
       a, motion, b);
-}
-
-/// The first part to touch the shape, of several the first in order. `cast(part)` casts one. After a part has touched,
-/// only the motion before that matters for the others. `motion` is that of the parts relative to the shape.
-template <Dim N, class T, class S, class Cast>
-std::optional<CastHit<N>> cast_hit_of_parts(const Compound<N, T>& compound, const Vec<N, double>& motion,
-                                            const S& shape, const Cast& cast) {
-  std::optional<CastHit<N>> first;
-  const auto box = touching_bounds(shape);
-  const double slack = tolerance::box_slack * sum_abs(motion);  // the rounding of the motion
-  const Aabb<N, double> target{wide<N, T>(box.min) - slack, wide<N, T>(box.max) + slack};
-  for (const Part<N, T>& part : compound.parts) {
-    const Vec<N, double> way = first ? motion * first->t : motion;
-    const bool may_meet = boxes_overlap(touching_bounds(swept_box(part.box, way)), target) || is_hidden_by_box(part);
-    if (may_meet) keep_earlier(first, cast(part.shape));
-  }
-  return first;
 }
 
 /// For shapes that are apart and a nonzero motion.

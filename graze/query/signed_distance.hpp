@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <variant>
 
@@ -30,6 +31,7 @@
 #include <graze/query/cores/surface_point.hpp>
 #include <graze/query/cores/surface_point_box.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/scaling/range.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/fields/visit.hpp>
@@ -95,13 +97,17 @@ struct DecidingPart {
 template <Dim N, class T>
 DecidingPart<N, T> deciding_part(const Compound<N, T>& compound, const Vec<N, T>& point) {
   DecidingPart<N, T> best;
-  for (const Part<N, T>& part : compound.parts) {
-    const double far = std::max(best.distance, 0.0) + forgiven_outside(part.box, point);
-    if (is_farther(distance_squared(point, part.box), far) && !is_hidden_by_box(part)) continue;
+  MayBeNear<N, T> may_be_nearer{point, best.distance};
+  const auto distance_to = [&point](const Aabb<N, T>& box) {
+    return static_cast<double>(distance_squared(point, box));
+  };
+  visit_parts(compound, may_be_nearer, distance_to, [&](const Part<N, T>& part, std::size_t) {
     const double distance = distance_of_part(part.shape, point);
-    const bool is_first = best.part == nullptr && distance == best.distance;  // infinitely far away
-    if (distance < best.distance || is_first) best = {&part, distance};
-  }
+    const bool is_earlier = best.part == nullptr || &part < best.part;
+    if (distance < best.distance || (distance == best.distance && is_earlier)) best = {&part, distance};
+    may_be_nearer.distance = std::max(best.distance, 0.0);
+    return true;
+  });
   return best;
 }
 

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 #include <graze/math/motion.hpp>
@@ -31,6 +32,7 @@
 #include <graze/query/compiled/instances.hpp>
 #include <graze/query/contact.hpp>
 #include <graze/query/impact.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/scaling/range.hpp>
 #include <graze/query/shape_cast.hpp>
@@ -249,17 +251,34 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple(const A& a, const Mot
 
 // ---- Any two shapes
 
-/// Whether two bounded boxes may touch up to a time, by the spheres in which they rotate.
+/// For `visit_parts`: whether a part in motion may touch a box up to the first touch so far, by the spheres in which
+/// both rotate. Boxes are grown as by touching_bounds.
 template <Dim N, class T>
-bool may_touch_by(double t, const Aabb<N, T>& a, const Motion<N, double>& motion_a, const Aabb<N, T>& b,
-                  const Motion<N, double>& motion_b) {
-  const Motion<N, double> about_a = centered(motion_a, a);
-  const Motion<N, double> about_b = centered(motion_b, b);
-  const double reach_a = reach_from(about_a.center, a);
-  const Trajectory<N> trajectory = trajectory_of(about_a, about_b, reach_a, 0.0);
-  const std::optional<double> start = time_of_spheres(trajectory, reach_a + reach_from(about_b.center, b));
-  return start && *start <= t;
-}
+class MayTouchInMotion {
+ public:
+  MayTouchInMotion(const Motion<N, double>& motion, const Aabb<N, T>& other, const Motion<N, double>& motion_of_other)
+      : motion_(motion), other_(other), motion_of_other_(motion_of_other) {}
+
+  /// Ends the motion at t.
+  void end_at(double t) { end_ = t; }
+
+  bool operator()(const Aabb<N, T>& box) const {
+    if (!is_bounded(other_) || !is_bounded(box) || !are_usual(other_, box)) return true;
+    const Motion<N, double> about_a = centered(motion_, box);
+    const Motion<N, double> about_b = centered(motion_of_other_, other_);
+    const double reach_a = reach_from(about_a.center, box);
+    const Trajectory<N> trajectory = trajectory_of(about_a, about_b, reach_a, 0.0);
+    const std::optional<double> start = time_of_spheres(trajectory, reach_a + reach_from(about_b.center, other_));
+    return start && *start <= end_;
+  }
+  bool operator()(const Part<N, T>& part) const { return (*this)(touching_bounds(part.box)); }
+
+ private:
+  Motion<N, double> motion_;
+  Aabb<N, T> other_;
+  Motion<N, double> motion_of_other_;
+  double end_ = 1;
+};
 
 /// The first part to touch the shape, of several the first in order. `find(part)` tests one that may touch before the
 /// others.
@@ -267,15 +286,18 @@ template <Dim N, class T, class S, class Find>
 std::optional<CastHit<N>> cast_hit_of_moving_parts(const Compound<N, T>& compound, const Motion<N, double>& motion,
                                                    const S& shape, const Motion<N, double>& motion_of_shape,
                                                    const Find& find) {
-  std::optional<CastHit<N>> first;
+  std::optional<CastHit<N>> best;
+  FirstPart first;
   const Aabb<N, T> box = touching_bounds(shape);
-  for (const Part<N, T>& part : compound.parts) {
-    const Aabb<N, T> part_box = touching_bounds(part.box);
-    const bool may_touch = !is_bounded(box) || !is_bounded(part_box) || !are_usual(box, part_box) ||
-                           may_touch_by(first ? first->t : 1.0, part_box, motion, box, motion_of_shape);
-    if (may_touch) keep_earlier(first, find(part.shape));
-  }
-  return first;
+  MayTouchInMotion<N, T> may_touch(motion, box, motion_of_shape);
+  visit_parts(compound, may_touch, NearBox<N, T>{box}, [&](const Part<N, T>& part, std::size_t index) {
+    const std::optional<CastHit<N>> found = find(part.shape);
+    if (!found || !first.is_replaced_by(found->t, index)) return true;
+    best = found;
+    may_touch.end_at(found->t);
+    return true;
+  });
+  return best;
 }
 
 /// For shapes that are apart.

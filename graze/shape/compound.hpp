@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
 #include <graze/math/vec.hpp>
 #include <graze/shape/fields/defect.hpp>
 #include <graze/shape/fields/description.hpp>
+#include <graze/shape/parts.hpp>
 
 namespace graze {
 
-/// A shape and a box around it; defined in any_shape.hpp.
-template <Dim N, class T>
-struct Part;
-
 /// The union of its parts, which it owns; parts may be compounds. Without parts it is valid and touches nothing. Use
-/// `compound_of(shapes)` from query/bounds.hpp, which calculates the boxes.
+/// `compound_of(shapes)` from query/bounds.hpp, which calculates the boxes and, for many parts, builds a tree of them.
 template <Dim N, class T = float>
 struct Compound {
-  std::vector<Part<N, T>> parts;  ///< In any order; the order decides ties between parts.
+  Parts<N, T> parts;  ///< In any order; the order decides ties between parts.
 };
 
 namespace detail {

@@ -257,7 +257,7 @@ void put_value(std::span<const Vec<N, double>> points) {
 }
 
 template <Dim N>
-void put_value(const std::vector<Part<N, double>>& parts) {
+void put_value(const Parts<N, double>& parts) {
   answer().push_back(static_cast<double>(parts.size()));
   for (const Part<N, double>& part : parts) put_shape<N>(part.shape);
 }

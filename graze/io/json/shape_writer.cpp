@@ -69,7 +69,7 @@ void append(std::string& out, std::span<const Vec<N, double>> points) {
 }
 
 template <Dim N>
-void append_parts(std::string& out, const std::vector<Part<N, double>>& parts, std::size_t outer_compounds) {
+void append_parts(std::string& out, const Parts<N, double>& parts, std::size_t outer_compounds) {
   append_list(out, parts, [&](const Part<N, double>& part) {
     out += '{';
     append_shape<N>(out, part.shape, outer_compounds + 1);

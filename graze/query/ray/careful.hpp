@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -12,7 +13,9 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/ray/advance.hpp>
+#include <graze/query/ray/parts.hpp>
 #include <graze/query/ray/portal.hpp>
 #include <graze/query/ray/verdict.hpp>
 #include <graze/query/ray/verdict_2d.hpp>
@@ -227,29 +230,21 @@ RayFinding<N> find_hit(const Aabb<N, T>& box, const Path<N>& path, RaySide side,
 template <Dim N, class T, class Ask>
 RayFinding<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide side, const Ask& ask);
 
-/// Whether the path passes a part's box by far. Never for the box of an unbounded part.
-template <Dim N, class T>
-bool passes_by(const Aabb<N, T>& box, const Path<N>& path) {
-  if (!is_finite(box.min) || !is_finite(box.max)) return false;
-  const PathAtBox beside = path_at(relative_to(path.origin, box), path.direction, path.far);
-  return slabs_of<N>(beside, tolerance::ray_side).are_missed(path.t_max);
-}
-
 /// The nearest entry, or the farthest exit; of several equal ones the first part's. After a hit only parts whose box is
 /// entered before it matter, but each is evaluated as if it were alone.
 template <Dim N, class T, class Ask>
 RayFinding<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RaySide side, const Ask& ask) {
   RayFinding<N> best = missed<N>();
-  Path<N> rest = path;
-  for (const Part<N, T>& part : compound.parts) {
-    if (passes_by(touching_bounds(part.box), rest)) continue;
+  FirstPart first;
+  RestOfPath<N> rest(path);
+  visit_parts(compound, rest, AlongDirection<N>{path.direction}, [&](const Part<N, T>& part, std::size_t index) {
     const RayFinding<N> found = find_hit(part.shape, path, side, ask);
-    if (found.verdict == RayVerdict::misses) continue;
-    const double ahead = side == RaySide::entry ? best.hit.t - found.hit.t : found.hit.t - best.hit.t;
-    if (best.verdict == RayVerdict::hits && !(ahead > 0)) continue;
+    const double t = side == RaySide::entry ? found.hit.t : -found.hit.t;
+    if (found.verdict == RayVerdict::misses || !first.is_replaced_by(t, index)) return true;
     best = found;
-    if (side == RaySide::entry) rest.t_max = found.hit.t;
-  }
+    if (side == RaySide::entry) rest.end_at(found.hit.t);
+    return true;
+  });
   return best;
 }
 

@@ -385,6 +385,14 @@ class UnusualLengths {
   std::uint64_t farthest_ = 0;
 };
 
+/// A tree has asked all parts.
+template <Dim N>
+void visit_lengths(const Compound<N, double>& compound, UnusualLengths& lengths) {
+  const PartTree<N, double>* const tree = tree_of(compound.parts);
+  if (tree != nullptr && tree->has_usual_lengths()) return;
+  for (const Part<N, double>& part : compound.parts) visit_lengths(part.shape, lengths);
+}
+
 /// False if a length of shapes is neither zero nor of usual size; for polytopes and users' shapes only the largest one
 /// counts.
 template <class... Shapes>

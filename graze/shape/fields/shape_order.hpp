@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <span>
 #include <variant>
-#include <vector>
 
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -68,7 +67,7 @@ int compare(std::span<const Vec<N, T>> a, std::span<const Vec<N, T>> b) {
 }
 
 template <Dim N, class T>
-int compare(const std::vector<Part<N, T>>& a, const std::vector<Part<N, T>>& b) {
+int compare(const Parts<N, T>& a, const Parts<N, T>& b) {
   return compare_lists(a, b);
 }
 

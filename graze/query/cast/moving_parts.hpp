@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Which parts of a compound may be the first to touch a shape, if the compound translates. Include shape_cast.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include <graze/math/rounding.hpp>
+#include <graze/math/tolerance.hpp>
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/impact.hpp>
+#include <graze/query/parts/visit.hpp>
+#include <graze/query/ray/parts.hpp>
+#include <graze/query/ray/verdict_box.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::detail {
+
+/// The box of all points that a box passes as it moves.
+template <Dim N, class T>
+Aabb<N, double> box_swept_by(const Aabb<N, T>& box, const Vec<N, double>& motion) {
+  Aabb<N, double> swept{wide<N, T>(box.min), wide<N, T>(box.max)};
+  swept.grow(Aabb<N, double>{swept.min + motion, swept.max + motion});
+  return swept;
+}
+
+/// The largest finite coordinate of a box.
+template <Dim N, class T>
+double size_of_box(const Aabb<N, T>& box) {
+  T size = 0;
+  for (Dim i = 0; i < N; ++i) {
+    size = std::max({size, finite_magnitude(box.min[i]), finite_magnitude(box.max[i])});
+  }
+  return static_cast<double>(size);
+}
+
+/// For `visit_parts`: whether what moves by `motion` may reach a fixed box, the target, which is grown as by
+/// touching_bounds.
+template <Dim N, class T>
+class MayReach {
+ public:
+  MayReach(const Vec<N, double>& motion, const Aabb<N, T>& target)
+      : motion_(motion),
+        target_{wide<N, T>(target.min), wide<N, T>(target.max)},
+        size_(size_of_box(target) + sum_abs(motion)) {}
+
+  /// Ends the motion at t.
+  void end_at(double t) { end_ = t; }
+
+  /// Whether a box, grown likewise, may touch the target up to the end, or an impact with a part in it may be reported
+  /// up to then: that is early by at most a few times `tolerance::impact`, relative to the sizes and the motion.
+  bool operator()(const Aabb<N, T>& box) const {
+    const double size = size_ + size_of_box(box);
+    const double margin = 16 * tolerance::impact * size;
+    const Aabb<N, double> target{target_.min - margin, target_.max + margin};
+    if (!boxes_overlap(box_swept_by(box, motion_ * end_), target)) return false;
+    const bool is_bounded_pair = is_bounded(target) && is_bounded(box);
+    return !is_bounded_pair || !(size < 0x1p500) || may_line_meet(box, target);
+  }
+  bool operator()(const Part<N, T>& part) const { return (*this)(touching_bounds(part.box)) || is_hidden_by_box(part); }
+
+ private:
+  /// Whether the motion leads through the difference of the boxes, target - box, which is where zero moves to as they
+  /// touch. Closer than the swept box if the motion is not along an axis.
+  bool may_line_meet(const Aabb<N, T>& box, const Aabb<N, double>& target) const {
+    const Aabb<N, double> difference{target.min - wide<N, T>(box.max), target.max - wide<N, T>(box.min)};
+    return !slabs_of<N>(path_at(difference, motion_, 0), tolerance::ray_side).are_missed(end_);
+  }
+
+  Vec<N, double> motion_;
+  Aabb<N, double> target_;
+  double size_;
+  double end_ = 1;
+};
+
+/// The first part to touch the shape, of several the first in order. `cast(part)` casts one. After a part has touched,
+/// only the motion before that matters for the others. `motion` is that of the parts relative to the shape.
+template <Dim N, class T, class S, class Cast>
+std::optional<CastHit<N>> cast_hit_of_parts(const Compound<N, T>& compound, const Vec<N, double>& motion,
+                                            const S& shape, const Cast& cast) {
+  std::optional<CastHit<N>> best;
+  FirstPart first;
+  MayReach<N, T> may_reach(motion, touching_bounds(shape));
+  visit_parts(compound, may_reach, AlongDirection<N>{-motion}, [&](const Part<N, T>& part, std::size_t index) {
+    const std::optional<CastHit<N>> found = cast(part.shape);
+    if (!found || !first.is_replaced_by(found->t, index)) return true;
+    best = found;
+    may_reach.end_at(found->t);
+    return true;
+  });
+  return best;
+}
+
+}  // namespace graze::detail

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The part of a compound that is nearest to a shape. Include closest_points.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <graze/math/vec.hpp>
+#include <graze/query/bounds.hpp>
+#include <graze/query/proximity.hpp>
+#include <graze/query/scaling/range.hpp>
+#include <graze/query/verdict.hpp>
+#include <graze/shape/aabb.hpp>
+#include <graze/shape/any_shape.hpp>
+
+namespace graze::detail {
+
+/// The squared distance of two boxes; it may overflow or underflow.
+template <Dim N, class T>
+double gap_squared(const Aabb<N, T>& a, const Aabb<N, T>& b) {
+  double squared = 0;
+  for (Dim i = 0; i < N; ++i) {
+    const double above = static_cast<double>(a.min[i]) - static_cast<double>(b.max[i]);
+    const double below = static_cast<double>(b.min[i]) - static_cast<double>(a.max[i]);
+    const double gap = std::max({above, below, 0.0});
+    squared += gap * gap;
+  }
+  return squared;
+}
+
+/// A candidate that is apart is never as near as one that meets, even if its distance underflows.
+template <Dim N>
+bool is_nearer(const Proximity<N, double>& candidate, const Proximity<N, double>& nearest) {
+  if (candidate.relation == Relation::apart || nearest.relation == Relation::apart) {
+    if (candidate.relation != nearest.relation) return nearest.relation == Relation::apart;
+  }
+  return candidate.distance < nearest.distance;
+}
+
+/// The nearest of the parts added so far, of several the first in the compound, with the verdict on all of them.
+template <Dim N>
+class NearestPart {
+ public:
+  const Proximity<N, double>& nearest() const { return nearest_; }
+
+  /// Whether parts from this index on cannot change the result.
+  bool is_decided_before(std::size_t next) const { return nearest_.relation == Relation::overlapping && index_ < next; }
+
+  void add(const Proximity<N, double>& candidate, std::size_t index) {
+    const Relation relation = std::max(nearest_.relation, candidate.relation);
+    if (is_replaced_by(candidate, index)) {
+      nearest_ = candidate;
+      index_ = index;
+    }
+    nearest_.relation = relation;
+  }
+
+ private:
+  /// Of parts at the same distance, which may have overflowed, one with points precedes one that has none.
+  bool is_replaced_by(const Proximity<N, double>& candidate, std::size_t index) const {
+    if (is_nearer(candidate, nearest_)) return true;
+    if (candidate.distance != nearest_.distance || is_nearer(nearest_, candidate)) return false;
+    if (std::isnan(candidate.point_a[0])) return false;
+    return std::isnan(nearest_.point_a[0]) || index < index_;
+  }
+
+  Proximity<N, double> nearest_;
+  std::size_t index_ = 0;
+};
+
+/// For `visit_parts`: whether a part may be as near to a box, grown as by touching_bounds, as the nearest so far.
+template <Dim N, class T>
+struct MayBeNearest {
+  bool operator()(const Aabb<N, T>& grown) const {
+    return !is_farther(gap_squared(grown, box), best.nearest().distance);
+  }
+  bool operator()(const Part<N, T>& part) const { return (*this)(touching_bounds(part.box)) || is_hidden_by_box(part); }
+
+  const Aabb<N, T>& box;
+  const NearestPart<N>& best;
+};
+
+/// For `visit_parts`: boxes by their distance from another.
+template <Dim N, class T>
+struct NearBox {
+  double operator()(const Aabb<N, T>& other) const { return gap_squared(other, box); }
+
+  const Aabb<N, T>& box;
+};
+
+}  // namespace graze::detail
