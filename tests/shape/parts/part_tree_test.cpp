@@ -42,7 +42,7 @@ class PartTreeIn : public ::testing::Test {
   static std::vector<std::size_t> counts() {
     std::vector<std::size_t> result;
     for (std::size_t count = 0; count <= 70; ++count) result.push_back(count);
-    for (const std::size_t count : {255, 256, 257, 1023, 1025, 2000}) result.push_back(count);
+    for (const std::size_t count : {255U, 256U, 257U, 1023U, 1025U, 2000U}) result.push_back(count);
     return result;
   }
 
