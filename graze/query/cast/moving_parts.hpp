@@ -14,7 +14,7 @@
 #include <graze/query/impact.hpp>
 #include <graze/query/parts/visit.hpp>
 #include <graze/query/ray/parts.hpp>
-#include <graze/query/ray/verdict_box.hpp>
+#include <graze/query/ray/verdict.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/any_shape.hpp>
 
@@ -46,10 +46,14 @@ class MayReach {
   MayReach(const Vec<N, double>& motion, const Aabb<N, T>& target)
       : motion_(motion),
         target_{wide<N, T>(target.min), wide<N, T>(target.max)},
-        size_(size_of_box(target) + sum_abs(motion)) {}
+        size_(size_of_box(target) + sum_abs(motion)),
+        line_(Path<N>{Vec<N, double>(0.0), motion, 1}) {}
 
   /// Ends the motion at t.
-  void end_at(double t) { end_ = t; }
+  void end_at(double t) {
+    end_ = t;
+    line_.end_at(t);
+  }
 
   /// Whether a box, grown likewise, may touch the target up to the end, or an impact with a part in it may be reported
   /// up to then: that is early by at most a few times `tolerance::impact`, relative to the sizes and the motion.
@@ -59,22 +63,22 @@ class MayReach {
     const Aabb<N, double> target{target_.min - margin, target_.max + margin};
     if (!boxes_overlap(box_swept_by(box, motion_ * end_), target)) return false;
     const bool is_bounded_pair = is_bounded(target) && is_bounded(box);
-    return !is_bounded_pair || !(size < 0x1p500) || may_line_meet(box, target);
+    return !is_bounded_pair || !(size < 0x1p500) || line_(difference_of(target, box));
   }
   bool operator()(const Part<N, T>& part) const { return (*this)(touching_bounds(part.box)) || is_hidden_by_box(part); }
 
  private:
-  /// Whether the motion leads through the difference of the boxes, target - box, which is where zero moves to as they
-  /// touch. Closer than the swept box if the motion is not along an axis.
-  bool may_line_meet(const Aabb<N, T>& box, const Aabb<N, double>& target) const {
-    const Aabb<N, double> difference{target.min - wide<N, T>(box.max), target.max - wide<N, T>(box.min)};
-    return !slabs_of<N>(path_at(difference, motion_, 0), tolerance::ray_side).are_missed(end_);
+  /// The positions, relative to its own, at which a box touches the target. Where the motion is not along an axis, the
+  /// line to them says more than the swept box.
+  static Aabb<N, double> difference_of(const Aabb<N, double>& target, const Aabb<N, T>& box) {
+    return {target.min - wide<N, T>(box.max), target.max - wide<N, T>(box.min)};
   }
 
   Vec<N, double> motion_;
   Aabb<N, double> target_;
   double size_;
   double end_ = 1;
+  RestOfPath<N> line_;  ///< From zero along the motion.
 };
 
 /// The first part to touch the shape, of several the first in order. `cast(part)` casts one. After a part has touched,
