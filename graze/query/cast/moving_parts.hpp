@@ -47,6 +47,7 @@ class MayReach {
       : motion_(motion),
         target_{wide<N, T>(target.min), wide<N, T>(target.max)},
         size_(size_of_box(target) + sum_abs(motion)),
+        is_target_bounded_(is_bounded(target)),
         line_(Path<N>{Vec<N, double>(0.0), motion, 1}) {}
 
   /// Ends the motion at t.
@@ -58,12 +59,11 @@ class MayReach {
   /// Whether a box, grown likewise, may touch the target up to the end, or an impact with a part in it may be reported
   /// up to then: that is early by at most a few times `tolerance::impact`, relative to the sizes and the motion.
   bool operator()(const Aabb<N, T>& box) const {
-    const double size = size_ + size_of_box(box);
+    const double size = size_ + static_cast<double>(std::max(max_abs(box.min), max_abs(box.max)));  // or infinity
     const double margin = 16 * tolerance::impact * size;
     const Aabb<N, double> target{target_.min - margin, target_.max + margin};
     if (!boxes_overlap(box_swept_by(box, motion_ * end_), target)) return false;
-    const bool is_bounded_pair = is_bounded(target) && is_bounded(box);
-    return !is_bounded_pair || !(size < 0x1p500) || line_(difference_of(target, box));
+    return !(size < 0x1p500) || !is_target_bounded_ || line_(difference_of(target, box));
   }
   bool operator()(const Part<N, T>& part) const { return (*this)(touching_bounds(part.box)) || is_hidden_by_box(part); }
 
@@ -77,6 +77,7 @@ class MayReach {
   Vec<N, double> motion_;
   Aabb<N, double> target_;
   double size_;
+  bool is_target_bounded_;
   double end_ = 1;
   RestOfPath<N> line_;  ///< From zero along the motion.
 };
