@@ -37,6 +37,7 @@ TESTED_ELSEWHERE = {
     "graze/query/cast/cast_hit.hpp": ("tests/query/shape_cast_test.cpp", "shape_cast by a ray"),
     "graze/query/cast/moving_parts.hpp": ("tests/query/parts/visit_test.cpp", "shape_cast of compounds"),
     "graze/query/closest/nearest_part.hpp": ("tests/query/parts/visit_test.cpp", "closest_points of compounds"),
+    "graze/query/cast/pair_cast.hpp": ("tests/query/shape_cast_test.cpp", "shape_cast of each pair of types"),
     "graze/query/compiled/instances.hpp":
         ("tests/package/consumer/queries.cpp", "the queries that a user's file takes from the library"),
     "graze/query/compiled/pairs_2d_double.cpp": ("tests/query/agreement_test.cpp", "instances of the queries under test"),
@@ -54,6 +55,7 @@ TESTED_ELSEWHERE = {
         ("tests/query/fast_contact/sphere_box_test.cpp", "the numbers that fast contacts calculate with"),
     "graze/query/fast_contact/sphere_2d.hpp":
         ("tests/query/fast_contact/boxes_2d_test.cpp", "compared there with all shapes"),
+    "graze/query/patch/pair_manifold.hpp": ("tests/query/manifold_test.cpp", "manifold of each pair of types"),
     "graze/query/patch/of_shape.hpp": ("tests/query/manifold_test.cpp", "selects the patch of each shape"),
     "graze/query/ray/careful.hpp": ("tests/query/ray_cast_test.cpp", "ray_cast where no filter decides"),
     "graze/query/ray/filter/capsule.hpp": ("tests/query/ray/filters_test.cpp", "one of the filters of rays"),

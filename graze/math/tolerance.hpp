@@ -185,6 +185,12 @@ inline constexpr double impact = 0x1p-36;
 /// shapes better, costs more than approaching this one; but near the end of this one, it no longer decides.
 inline constexpr double impact_plane = 0x1p-10;
 
+/// A motion approaches a surface if the sine of its angle to it is greater: far above the rounding of normals, and
+/// above that of motions in T, which turns them by up to an epsilon.
+template <Scalar T>
+inline constexpr double approach =
+    std::is_same_v<T, float> ? 4.0 * double{std::numeric_limits<float>::epsilon()} : 0x1p-40;
+
 /// The resolution for users' shapes, whose support functions may calculate in T.
 template <Scalar T>
 inline constexpr double convex_in = 32.0 * static_cast<double>(std::numeric_limits<T>::epsilon());

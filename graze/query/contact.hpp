@@ -36,6 +36,9 @@
 /// half-space and a ray that runs into it. For these the depth is infinite, the normal zero, and both points are a
 /// common point.
 ///
+/// With ContactOptions::margin, shapes that are up to that far apart have a contact as well. Its depth is minus their
+/// distance, so it changes continuously as they meet. Points, normal, status and error are those of closest_points.hpp.
+///
 /// A compound counts as its deepest part, of several the first; where parts overlap, the way out of one may lead deeper
 /// into another. Swapping the arguments swaps the points, negates the normal and changes no bit of anything else,
 /// except for two equal shapes.
@@ -48,6 +51,7 @@
 /// than a factor of 2^900.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -61,6 +65,7 @@
 #include <graze/query/contact/convex.hpp>
 #include <graze/query/contact/cores.hpp>
 #include <graze/query/contact/unbounded.hpp>
+#include <graze/query/contact_options.hpp>
 #include <graze/query/cores/penetration.hpp>
 #include <graze/query/fast_contact/fast_contact.hpp>
 #include <graze/query/fast_contact/obb/contact.hpp>
@@ -68,17 +73,19 @@
 #include <graze/query/relation.hpp>
 #include <graze/query/status.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/nan_check.hpp>
 #include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze {
 
-/// The penetration of two shapes that meet.
+/// The penetration of two shapes that meet, or the gap between two that are near.
 template <Dim N, class T = float>
 struct Contact {
   Vec<N, T> point = Vec<N, T>(T(0));    ///< Midpoint of point_a and point_b.
   Vec<N, T> normal = Vec<N, T>(T(0));   ///< Of length 1, from a to b; zero if no translation separates them.
-  T depth = T(0);                       ///< How far b must move along the normal until the shapes only touch.
+  T depth = T(0);                       ///< How far b must move along the normal until the shapes only touch;
+                                        ///< below zero if they are apart, which only a margin allows.
   Vec<N, T> point_a = Vec<N, T>(T(0));  ///< On the surface of a, deepest in b: point_b + normal * depth.
   Vec<N, T> point_b = Vec<N, T>(T(0));  ///< On the surface of b, deepest in a.
   Status status = Status::converged;    ///< Always `converged` for closed forms.
@@ -247,6 +254,35 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
   }
 }
 
+/// Whether a number of a shape, or of any of its parts, is NaN. Users' shapes are not checked.
+template <class S>
+bool has_nan(const S& shape) {
+  if constexpr (is_any_shape<S>) {
+    return detail::visit([](const auto& held) { return has_nan(held); }, shape);
+  } else if constexpr (is_compound<S>) {
+    return std::any_of(shape.parts.begin(), shape.parts.end(), [](const auto& part) { return has_nan(part.shape); });
+  } else {
+    return std::isnan(numbers_of(shape));
+  }
+}
+
+/// For shapes that do not meet but are up to `margin` apart: with their distance as a negative depth.
+template <class A, class B>
+std::optional<Penetration<dimension_of<A>>> penetration_of_near(const A& a, const B& b, double margin) {
+  if (!(margin > 0) || has_nan(a) || has_nan(b)) return std::nullopt;
+  const Proximity<dimension_of<A>, double> near = proximity(a, b);
+  if (!(near.distance <= margin) || std::isinf(near.distance)) return std::nullopt;
+  return Penetration<dimension_of<A>>{near.normal, -near.distance, near.point_a, near.point_b, near.status, near.error};
+}
+
+/// For shapes that meet or are up to `margin` apart.
+template <class A, class B>
+std::optional<Penetration<dimension_of<A>>> penetration_within(const A& a, const B& b, double margin) {
+  auto found = penetration(a, b);
+  if (!found) found = penetration_of_near(a, b, margin);
+  return found;
+}
+
 /// For two boxes in 3D, at least one of them oriented; rounded in place, so that nothing is copied. Declared even
 /// without vector lanes, and so without `are_quick_obbs`, because compilers look the name up anyway.
 template <class A, class B>
@@ -305,6 +341,22 @@ std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const 
     if (!found) return std::nullopt;
     return detail::rounded_contact<scalar_of<A>>(*found);
   }
+}
+
+/// The same with options: with a margin, also for shapes that are up to that far apart. Their depth is minus their
+/// distance, and points, normal, status and error are those of `closest_points`. Without a margin, the result is the
+/// same to the last bit.
+template <Shape A, SameSpace<A> B>
+std::optional<Contact<dimension_of<A>, scalar_of<A>>> contact(const A& a, const B& b, ContactOptions options) {
+  using T = scalar_of<A>;
+  assert(options.margin >= 0);
+  auto found = contact(a, b);
+  if (found) return found;
+  const auto near = detail::penetration_of_near(a, b, options.margin);
+  if (!near) return std::nullopt;
+  found = detail::rounded_contact<T>(*near);
+  found->depth = T(0) - detail::rounded_distance<T>(-near->depth, Relation::apart);  // below zero, however small
+  return found;
 }
 
 GRAZE_DECLARE_INSTANCES(GRAZE_CONTACT_INSTANCES)

@@ -23,6 +23,12 @@
 /// perpendicular to the normal, and edges as parallel, within 1e-5 radians; corners of a polytope that are closer than
 /// 1e-5 of its size count as one.
 ///
+/// With a margin, faces are clipped that far above the surface instead of at it, and points that are apart have a
+/// negative depth: a box that hovers over a floor has the points on which it will land. The normal of shapes that are
+/// apart is that of closest_points or, if a face is perpendicular to it up to rounding, that of the face. So points,
+/// depths and normal change continuously as a face lands on another. With a margin, corners above a face on which
+/// another rests have their own depth.
+///
 /// A compound counts as its deepest part, which the ids name. Swapping the arguments swaps everything, except for the
 /// order of equal shapes. Any finite coordinates are allowed, as in contact.hpp. Errors of the points are those of
 /// `contact`, and errors of the depths are at most `error`; both are larger by 1e-5 of the size for faces that are not
@@ -39,20 +45,19 @@
 #include <span>
 #include <utility>
 
+#include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/compiled/instances.hpp>
 #include <graze/query/contact.hpp>
+#include <graze/query/contact_options.hpp>
 #include <graze/query/fast_contact/fast_contact.hpp>
 #include <graze/query/fast_contact/obb/choice.hpp>
 #include <graze/query/fast_contact/obb/contact.hpp>
 #include <graze/query/fast_contact/obb/manifold.hpp>
 #include <graze/query/parts/visit.hpp>
-#include <graze/query/patch/aabb_manifold.hpp>
 #include <graze/query/patch/clipped.hpp>
-#include <graze/query/patch/manifold_points.hpp>
-#include <graze/query/patch/of_shape.hpp>
-#include <graze/query/patch/patch.hpp>
+#include <graze/query/patch/pair_manifold.hpp>
 #include <graze/query/scaling/wide_manifold.hpp>
 #include <graze/query/status.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -77,13 +82,13 @@ struct ManifoldPoint {
   Vec<N, T> point = Vec<N, T>(T(0));    ///< Midpoint of point_a and point_b.
   Vec<N, T> point_a = Vec<N, T>(T(0));  ///< On the surface of a.
   Vec<N, T> point_b = Vec<N, T>(T(0));  ///< On the surface of b: point_a - normal * depth.
-  T depth = T(0);                       ///< Along the normal of the manifold; at least zero.
+  T depth = T(0);                       ///< Along the normal of the manifold; below zero only with a margin.
   ContactId id;                         ///< Identifies the point across frames.
 
   friend bool operator==(const ManifoldPoint&, const ManifoldPoint&) = default;
 };
 
-/// The contact points of two shapes; none if they are apart.
+/// The contact points of two shapes; none if they are apart, or farther apart than the margin.
 template <Dim N, class T = float>
 struct Manifold {
   static constexpr std::size_t most_points = N == 2 ? 2 : 4;  ///< 2 in 2D, 4 in 3D.
@@ -104,24 +109,7 @@ struct Manifold {
 namespace detail {
 
 template <class A, class B>
-WideManifold<dimension_of<A>> manifold_of_found(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
-  constexpr Dim N = dimension_of<A>;
-  WideManifold<N> result = manifold_of_one_point(found);
-  if (std::isinf(found.depth) || (is_plane_or_half_space<A> && is_plane_or_half_space<B>)) return result;
-  const Vec<N, double> origin = found.point_a;
-  const Patch<N> patch_a = patch_seen(a, origin, found.normal, found.point_a);
-  const Patch<N> patch_b = patch_seen(b, origin, -found.normal, found.point_b);
-  const FacingPatches<N> facing{patch_a, patch_b, radius_of_core(a), radius_of_core(b), tolerance::aligned};
-  const double size =
-      (size_of_patch(facing.a) + size_of_patch(facing.b)) + (facing.radius_a + facing.radius_b) + found.depth;
-  const Penetration<N> seen = moved_by(found, -origin);
-  choose_points(surface_pairs(facing, seen, found.error + tolerance::coarse * size), result);
-  move_points(result, origin);
-  return result;
-}
-
-template <class A, class B>
-std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& b);
+std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& b, double margin = 0);
 
 template <Dim N>
 std::optional<WideManifold<N>> exchanged(std::optional<WideManifold<N>> manifold) {
@@ -131,117 +119,49 @@ std::optional<WideManifold<N>> exchanged(std::optional<WideManifold<N>> manifold
 
 /// The manifold of the deepest part, of several the first, as in `contact`. Nested parts are numbered consecutively.
 template <Dim N, class T, class S>
-std::optional<WideManifold<N>> manifold_of_parts(const Compound<N, T>& compound, const S& shape) {
+std::optional<WideManifold<N>> manifold_of_parts(const Compound<N, T>& compound, const S& shape, double margin) {
   FirstPart deepest;
-  visit_parts(compound, MayTouch<N, T>{touching_bounds(shape)}, [&](const Part<N, T>& part, std::size_t index) {
-    if (const auto candidate = penetration(part.shape, shape)) deepest.is_replaced_by(-candidate->depth, index);
+  const MayTouch<N, T> may_touch{inflated(touching_bounds(shape), round_up<T>(margin))};
+  visit_parts(compound, may_touch, [&](const Part<N, T>& part, std::size_t index) {
+    const auto candidate = penetration_within(part.shape, shape, margin);
+    if (candidate) deepest.is_replaced_by(-candidate->depth, index);
     return true;
   });
   if (deepest.is_none()) return std::nullopt;
-  std::optional<WideManifold<N>> result = wide_manifold(compound.parts[deepest.index()].shape, shape);
+  std::optional<WideManifold<N>> result = wide_manifold(compound.parts[deepest.index()].shape, shape, margin);
   if (result) result->part_a = static_cast<std::uint32_t>(result->part_a * compound.parts.size() + deepest.index());
   return result;
 }
 
-/// For two axis-aligned boxes that meet.
-template <Dim N, class T>
-WideManifold<N> manifold_of_aabbs(const Aabb<N, T>& a, const Aabb<N, T>& b) {
-  const Penetration<N> found = penetration_in_order(a, b);
-  const Aabb<N, double> box_a = relative_to(Vec<N, double>(0.0), a);
-  const Aabb<N, double> box_b = relative_to(Vec<N, double>(0.0), b);
-  if (!has_faces(box_a) || !has_faces(box_b)) return manifold_of_found(a, b, found);
-  WideManifold<N> result;
-  result.found = found;
-  result.pairs = pairs_of_aabbs(box_a, box_b, found,
-                                tolerance::coarse * (sum_abs(box_a.max - box_a.min) + sum_abs(box_b.max - box_b.min)));
-  result.size = result.pairs.size();
-  return result;
-}
-
-/// For two simple shapes in the order in which their contact is calculated. That of boxes has their faces ready.
+/// For two shapes that are out of range, if they meet or are up to `margin` apart; none for others.
 template <class A, class B>
-WideManifold<dimension_of<A>> manifold_in_order(const A& a, const B& b) {
-  if constexpr (is_a<Aabb, A> && is_a<Aabb, B>) {
-    return manifold_of_aabbs(a, b);
-  } else if constexpr (are_boxes<A, B>) {
-    constexpr Dim N = dimension_of<A>;
-    const Vec<N, double> origin = reference(a);
-    const auto local_a = relative_to(origin, a);
-    const auto local_b = relative_to(origin, b);
-    const BoxesContact<N> contact = contact_of_boxes(local_a, local_b);
-    WideManifold<N> result;
-    result.found = contact.found;
-    choose_points(pairs_of_boxes(local_a, local_b, contact), result);
-    move_points(result, origin);
-    return result;
-  } else {
-    return manifold_of_found(a, b, penetration_in_order(a, b));
-  }
-}
-
-/// For two simple shapes in the order of their contact, which is known.
-template <class A, class B>
-WideManifold<dimension_of<A>> manifold_in_frame(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
-  if constexpr (is_box<A> && is_plane_or_half_space<B>) {
-    if (const auto pairs = corners_on_boundary(a, found)) {
-      WideManifold<dimension_of<A>> result;
-      result.found = found;
-      result.pairs = *pairs;
-      result.size = pairs->size();
-      return result;
-    }
-  }
-  return manifold_of_found(a, b, found);
-}
-
-/// For two simple shapes in any order, whose contact is known.
-template <class A, class B>
-WideManifold<dimension_of<A>> manifold_of_asked(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
-  if (is_in_order(a, b)) return manifold_in_frame(a, b, found);
-  WideManifold<dimension_of<A>> result = manifold_in_frame(b, a, exchanged(found));
-  exchange(result);
-  return result;
-}
-
-/// For two simple shapes that a fast test shows to meet.
-template <class A, class B, class Look>
-WideManifold<dimension_of<A>> manifold_of_look(const A& a, const B& b, const Look& look) {
-  WideManifold<dimension_of<A>> result;
-  result.found = look.found;
-  result.size = look.put_points(result.pairs.data());
-  if (result.size == 0) result = manifold_of_asked(a, b, look.found);
-  return result;
-}
-
-/// For two simple shapes that meet and are in range.
-template <class A, class B>
-WideManifold<dimension_of<A>> manifold_in_any_order(const A& a, const B& b) {
-  if constexpr (contact_place<A> < contact_place<B>) {
-    return manifold_in_order(a, b);
-  } else if constexpr (contact_place<A> > contact_place<B>) {
-    WideManifold<dimension_of<A>> result = manifold_in_order(b, a);
-    exchange(result);
-    return result;
-  } else {
-    const bool turns = !is_in_order(a, b);
-    WideManifold<dimension_of<A>> result = manifold_in_order(turns ? b : a, turns ? a : b);
-    if (turns) exchange(result);
-    return result;
-  }
-}
-
-/// For two shapes that are out of range, if they meet; none for others.
-template <class A, class B>
-[[gnu::noinline, gnu::cold]] std::optional<std::optional<WideManifold<dimension_of<A>>>> manifold_in_range(const A& a,
-                                                                                                           const B& b) {
+[[gnu::noinline, gnu::cold]] std::optional<std::optional<WideManifold<dimension_of<A>>>> manifold_in_range(
+    const A& a, const B& b, double margin = 0) {
   using Found = std::optional<WideManifold<dimension_of<A>>>;
   return answer_in_range<Found>(
-      [](const auto& power, const auto& scaled_a, const auto& scaled_b) {
-        Found found = wide_manifold(scaled_a, scaled_b);
+      [](const auto& power, const auto& scaled_a, const auto& scaled_b, const auto& scaled_margin) {
+        Found found = wide_manifold(scaled_a, scaled_b, max_abs(scaled_margin));
         if (found) resize(*found, power.inverse());
         return found;
       },
-      a, b);
+      a, b, Vec<dimension_of<A>, double>(margin));
+}
+
+/// For two simple shapes that meet or are up to `margin` apart: from their faces in any case, so that the points change
+/// continuously as a gap closes.
+template <class A, class B>
+std::optional<WideManifold<dimension_of<A>>> manifold_within(const A& a, const B& b, double margin) {
+  const bool are_in_range = are_usual(a, b, Vec<dimension_of<A>, double>(margin));
+  if (!are_in_range) {
+    if (const auto rescaled = manifold_in_range(a, b, margin)) return *rescaled;
+  }
+  const auto found = penetration_within(a, b, margin);
+  if (!found) return std::nullopt;
+  if (!are_in_range && are_mixed(a, b)) return manifold_of_one_point(*found);
+  if (is_in_order(a, b)) return manifold_of_found(a, b, *found, margin);
+  WideManifold<dimension_of<A>> result = manifold_of_found(b, a, exchanged(*found), margin);
+  exchange(result);
+  return result;
 }
 
 /// For two simple shapes that meet.
@@ -263,20 +183,21 @@ template <class A, class B>
 Manifold<3, scalar_of<A>> rounded_manifold_of_obbs(const A& a, const B& b);
 
 template <class A, class B>
-std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& b) {
+std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& b, double margin) {
   if constexpr (is_any_shape<A>) {
-    return detail::visit([&b](const auto& held) { return wide_manifold(held, b); }, a);
+    return detail::visit([&b, margin](const auto& held) { return wide_manifold(held, b, margin); }, a);
   } else if constexpr (is_any_shape<B>) {
-    return detail::visit([&a](const auto& held) { return wide_manifold(a, held); }, b);
+    return detail::visit([&a, margin](const auto& held) { return wide_manifold(a, held, margin); }, b);
   } else if constexpr (is_compound<A> && is_compound<B>) {
-    return is_in_order(a, b) ? manifold_of_parts(a, b) : exchanged(manifold_of_parts(b, a));
+    return is_in_order(a, b) ? manifold_of_parts(a, b, margin) : exchanged(manifold_of_parts(b, a, margin));
   } else if constexpr (is_compound<A>) {
-    return manifold_of_parts(a, b);
+    return manifold_of_parts(a, b, margin);
   } else if constexpr (is_compound<B>) {
-    return exchanged(manifold_of_parts(b, a));
+    return exchanged(manifold_of_parts(b, a, margin));
   } else if constexpr (are_quick_obbs<A, B>) {
-    return manifold_of_obbs(a, b);
+    return margin > 0 ? manifold_within(a, b, margin) : manifold_of_obbs(a, b);
   } else {
+    if (margin > 0) return manifold_within(a, b, margin);
     if constexpr (has_fast_contact<A, B>) {
       const auto quick = fast_contact(a, b);
       if (quick.is_known && is_usual_error<scalar_of<A>>(quick.found.error)) {
@@ -438,6 +359,16 @@ Manifold<dimension_of<A>, scalar_of<A>> manifold(const A& a, const B& b) {
     if (const auto found = detail::wide_manifold(a, b)) return detail::rounded_manifold<scalar_of<A>>(*found);
     return {};
   }
+}
+
+/// The same with options: with a margin, also for shapes that are up to that far apart. See the top of this file.
+/// Without a margin, the result is the same to the last bit.
+template <Shape A, SameSpace<A> B>
+Manifold<dimension_of<A>, scalar_of<A>> manifold(const A& a, const B& b, ContactOptions options) {
+  assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b) && options.margin >= 0);
+  if (!(options.margin > 0)) return manifold(a, b);
+  const auto found = detail::wide_manifold(a, b, options.margin);
+  return found ? detail::rounded_manifold<scalar_of<A>>(*found) : Manifold<dimension_of<A>, scalar_of<A>>{};
 }
 
 GRAZE_DECLARE_INSTANCES(GRAZE_MANIFOLD_INSTANCES)

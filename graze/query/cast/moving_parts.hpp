@@ -38,15 +38,15 @@ double size_of_box(const Aabb<N, T>& box) {
   return static_cast<double>(size);
 }
 
-/// For `visit_parts`: whether what moves by `motion` may reach a fixed box, the target, which is grown as by
-/// touching_bounds.
+/// For `visit_parts`: whether what moves by `motion` may come as near as `distance` to a fixed box, the target, which
+/// is grown as by touching_bounds.
 template <Dim N, class T>
 class MayReach {
  public:
-  MayReach(const Vec<N, double>& motion, const Aabb<N, T>& target)
+  MayReach(const Vec<N, double>& motion, const Aabb<N, T>& target, double distance)
       : motion_(motion),
-        target_{wide<N, T>(target.min), wide<N, T>(target.max)},
-        size_(size_of_box(target) + sum_abs(motion)),
+        target_{wide<N, T>(target.min) - distance, wide<N, T>(target.max) + distance},
+        size_(size_of_box(target) + distance + sum_abs(motion)),
         is_target_bounded_(is_bounded(target)),
         line_(Path<N>{Vec<N, double>(0.0), motion, 1}) {}
 
@@ -82,18 +82,27 @@ class MayReach {
   RestOfPath<N> line_;  ///< From zero along the motion.
 };
 
+/// Whether the impact of one part counts instead of that of another one.
+template <Dim N>
+bool comes_before(const CastHit<N>& a, std::size_t index_a, const CastHit<N>& b, std::size_t index_b) {
+  if (a.t != b.t) return a.t < b.t;
+  return a.depth != b.depth ? a.depth > b.depth : index_a < index_b;
+}
+
 /// The first part to touch the shape, of several the first in order. `cast(part)` casts one. After a part has touched,
-/// only the motion before that matters for the others. `motion` is that of the parts relative to the shape.
+/// only the motion before that matters for the others. `motion` is that of the parts relative to the shape; a part
+/// touches when it is as near as `distance`. Of parts that touch at one t the deepest counts.
 template <Dim N, class T, class S, class Cast>
 std::optional<CastHit<N>> cast_hit_of_parts(const Compound<N, T>& compound, const Vec<N, double>& motion,
-                                            const S& shape, const Cast& cast) {
+                                            const S& shape, double distance, const Cast& cast) {
   std::optional<CastHit<N>> best;
-  FirstPart first;
-  MayReach<N, T> may_reach(motion, touching_bounds(shape));
+  std::size_t best_index = 0;
+  MayReach<N, T> may_reach(motion, touching_bounds(shape), distance);
   visit_parts(compound, may_reach, AlongDirection<N>{-motion}, [&](const Part<N, T>& part, std::size_t index) {
     const std::optional<CastHit<N>> found = cast(part.shape);
-    if (!found || !first.is_replaced_by(found->t, index)) return true;
+    if (!found || (best && !comes_before(*found, index, *best, best_index))) return true;
     best = found;
+    best_index = index;
     may_reach.end_at(found->t);
     return true;
   });

@@ -46,24 +46,29 @@
   LINKAGE template GRAZE_EXPORT T distance(const AnyShape<N, T>&, const AnyShape<N, T>&); \
   LINKAGE template GRAZE_EXPORT T distance(const AnyShape<N, T>&, const AnyShape<N, T>&, SimplexCache<N>&);
 
-#define GRAZE_CONTACT_INSTANCES(LINKAGE, N, T)                                                                    \
-  LINKAGE template GRAZE_EXPORT std::optional<detail::Penetration<N>> detail::penetration(const AnyShape<N, T>&,  \
-                                                                                          const AnyShape<N, T>&); \
-  LINKAGE template GRAZE_EXPORT std::optional<Contact<N, T>> contact(const AnyShape<N, T>&, const AnyShape<N, T>&);
+#define GRAZE_CONTACT_INSTANCES(LINKAGE, N, T)                                                                      \
+  LINKAGE template GRAZE_EXPORT std::optional<detail::Penetration<N>> detail::penetration(const AnyShape<N, T>&,    \
+                                                                                          const AnyShape<N, T>&);   \
+  LINKAGE template GRAZE_EXPORT std::optional<Contact<N, T>> contact(const AnyShape<N, T>&, const AnyShape<N, T>&); \
+  LINKAGE template GRAZE_EXPORT std::optional<Contact<N, T>> contact(const AnyShape<N, T>&, const AnyShape<N, T>&,  \
+                                                                     ContactOptions);
 
-#define GRAZE_MANIFOLD_INSTANCES(LINKAGE, N, T) \
-  LINKAGE template GRAZE_EXPORT Manifold<N, T> manifold(const AnyShape<N, T>&, const AnyShape<N, T>&);
+#define GRAZE_MANIFOLD_INSTANCES(LINKAGE, N, T)                                                        \
+  LINKAGE template GRAZE_EXPORT Manifold<N, T> manifold(const AnyShape<N, T>&, const AnyShape<N, T>&); \
+  LINKAGE template GRAZE_EXPORT Manifold<N, T> manifold(const AnyShape<N, T>&, const AnyShape<N, T>&, ContactOptions);
 
 #define GRAZE_SEPARATION_INSTANCES(LINKAGE, N, T) \
   LINKAGE template GRAZE_EXPORT Proximity<N, T> separation(const AnyShape<N, T>&, const AnyShape<N, T>&);
 
-#define GRAZE_SHAPE_CAST_INSTANCES(LINKAGE, N, T)                                                                      \
-  LINKAGE template GRAZE_EXPORT std::optional<detail::CastHit<N>> detail::cast_hit(                                    \
-      const AnyShape<N, T>&, const Vec<N, double>&, const AnyShape<N, T>&);                                            \
-  LINKAGE template GRAZE_EXPORT std::optional<Impact<N, T>> detail::impact_of(const AnyShape<N, T>&, const Vec<N, T>&, \
-                                                                              const AnyShape<N, T>&);                  \
-  LINKAGE template GRAZE_EXPORT std::optional<Impact<N, T>> shape_cast(const AnyShape<N, T>&, const Vec<N, T>&,        \
-                                                                       const AnyShape<N, T>&);
+#define GRAZE_SHAPE_CAST_INSTANCES(LINKAGE, N, T)                                                               \
+  LINKAGE template GRAZE_EXPORT std::optional<detail::CastHit<N>> detail::cast_hit(                             \
+      const AnyShape<N, T>&, const Vec<N, double>&, const AnyShape<N, T>&, const CastOptions&);                 \
+  LINKAGE template GRAZE_EXPORT std::optional<Impact<N, T>> detail::impact_of(                                  \
+      const AnyShape<N, T>&, const Vec<N, T>&, const AnyShape<N, T>&, const CastOptions&);                      \
+  LINKAGE template GRAZE_EXPORT std::optional<Impact<N, T>> shape_cast(const AnyShape<N, T>&, const Vec<N, T>&, \
+                                                                       const AnyShape<N, T>&);                  \
+  LINKAGE template GRAZE_EXPORT std::optional<Impact<N, T>> shape_cast(const AnyShape<N, T>&, const Vec<N, T>&, \
+                                                                       const AnyShape<N, T>&, CastOptions);
 
 #define GRAZE_TIME_OF_IMPACT_INSTANCES(LINKAGE, N, T)                                                    \
   LINKAGE template GRAZE_EXPORT std::optional<detail::CastHit<N>> detail::cast_hit_in_motion(            \

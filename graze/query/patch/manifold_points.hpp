@@ -53,12 +53,13 @@ struct FacingPatches {
   /// Without radii, everything over a face rests on it if nothing is higher above it than this share of half the
   /// circumference of the smaller face; otherwise what is above by more than rounding is clipped.
   double flush = 0;
+  double margin = 0;  ///< Points up to this far apart count, with a negative depth.
 };
 
 /// The same of (b, a).
 template <Dim N>
 FacingPatches<N> exchanged(const FacingPatches<N>& facing) {
-  return {facing.b, facing.a, facing.radius_b, facing.radius_a, facing.flush};
+  return {facing.b, facing.a, facing.radius_b, facing.radius_a, facing.flush, facing.margin};
 }
 
 /// Whether a patch is a face perpendicular to the normal.
@@ -78,7 +79,8 @@ bool rests_on_face(const ClippedPatch<N>& incident, const FacingPatches<N>& faci
   return highest <= facing.flush * std::min(half_perimeter(facing.a), half_perimeter(facing.b));
 }
 
-/// The incident face of b over the face of a, which faces along the normal, and not above the other surface: clipped.
+/// The incident face of b over the face of a, which faces along the normal, and not above the other surface by more
+/// than the margin: clipped.
 /// Points of b below are projected onto the face of a along the normal.
 template <Dim N>
 SurfacePairs<N> pairs_over(const FacingPatches<N>& facing, const Vec<N, double>& normal, double slack) {
@@ -86,14 +88,14 @@ SurfacePairs<N> pairs_over(const FacingPatches<N>& facing, const Vec<N, double>&
   const double reach = facing.radius_a + facing.radius_b;
   ClippedPatch<N> incident = clipped(facing.b, facing.a, normal, slack);
   if (!rests_on_face(incident, facing)) {
-    incident.cut(facing.a.normal, on_face + facing.a.normal * reach, facing.a.size, slack);
+    incident.cut(facing.a.normal, on_face + facing.a.normal * (reach + facing.margin), facing.a.size, slack);
   }
   const double climb = dot(facing.a.normal, normal);  // about 1, and 1 for exact faces
   SurfacePairs<N> result;
   for (std::size_t i = 0; i < incident.size(); ++i) {
     const Vec<N, double>& point = incident[i].point;
     const double gap = dot(facing.a.normal, point - on_face) / climb;
-    const double depth = std::max(0.0, reach - gap);
+    const double depth = std::max(0.0 - facing.margin, reach - gap);
     const Vec<N, double> point_b = point - normal * facing.radius_b;
     result.push_back({point_b + normal * depth, point_b, depth, incident[i].reference, incident[i].incident});
   }
@@ -114,10 +116,10 @@ SurfacePairs<N> pairs_between_edges(const FacingPatches<N>& facing, const Vec<N,
     const Vec<N, double>& point = incident[i].point;
     const double gap = dot(normal, point - facing.a.corners[0]);
     const double depth = facing.radius_a + facing.radius_b - gap;
-    if (depth < -slack) continue;
+    if (depth < -(facing.margin + slack)) continue;
     const Vec<N, double> point_b = point - normal * facing.radius_b;
-    result.push_back(
-        {point_b + normal * depth, point_b, std::max(0.0, depth), incident[i].reference, incident[i].incident});
+    result.push_back({point_b + normal * depth, point_b, std::max(0.0 - facing.margin, depth), incident[i].reference,
+                      incident[i].incident});
   }
   return result;
 }
@@ -184,9 +186,10 @@ void sort_by_features(SurfacePairs<N>& pairs) {
 /// the contact may lie beside it, and the part of a steep edge over the face may be far less deep.
 template <Dim N>
 bool are_as_deep(const SurfacePairs<N>& pairs, const FacingPatches<N>& facing, double depth, double slack) {
-  double deepest = 0;
+  double deepest = 0.0 - facing.margin;
   for (const SurfacePair<N>& pair : pairs) deepest = std::max(deepest, pair.depth);
-  const double size = (size_of_patch(facing.a) + size_of_patch(facing.b)) + (facing.radius_a + facing.radius_b) + depth;
+  const double size =
+      (size_of_patch(facing.a) + size_of_patch(facing.b)) + (facing.radius_a + facing.radius_b) + std::fabs(depth);
   return deepest >= depth - (slack + 0.5 * tolerance::aligned * size);
 }
 

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// Laws of shape_cast with options, on random pairs of every type and random motions: the exact oracle's answers, and
+// agreement with the cast without options.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+#include <graze/math/tolerance.hpp>
+#include <graze/query/cast_options.hpp>
+#include <graze/query/contact.hpp>
+#include <graze/query/shape_cast.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "catalogue.hpp"
+#include "query/cast_cases.hpp"
+#include "query/ray_casts.hpp"
+#include "query/shape_casts.hpp"
+
+namespace graze::test::cast_options_laws_test {
+namespace {
+
+template <class SpaceType>
+class CastOptionsLaw : public ::testing::Test, public CastCases<SpaceType> {
+ public:
+  using Cases = CastCases<SpaceType>;
+  using Cases::dimension;
+  using typename Cases::Any;
+  using typename Cases::Case;
+  using typename Cases::Number;
+  using Found = std::optional<detail::CastHit<dimension>>;
+
+  static Found cast_hit(const Case& drawn, const CastOptions& options) {
+    if (!options.ignore_initial_touch) {
+      const auto start = detail::penetration_within(drawn.a, drawn.b, options.target_distance);
+      if (start) return detail::cast_hit_at_start(*start);
+    }
+    if (max_abs(drawn.motion) == Number(0)) return std::nullopt;
+    const Found found = detail::cast_hit(drawn.a, wide<dimension, Number>(drawn.motion), drawn.b, options);
+    if (found) RC_LOG() << "t = " << literal(found->t) << ", error " << found->error << "\n";
+    return found;
+  }
+
+  /// Often the gap at some time of the cast.
+  static double draw_target(const Case& drawn) {
+    const double share = static_cast<double>(*rc::gen::inRange(0, 5)) / 4;
+    const double gap = *rc::gen::inRange(0, 3) == 0 ? 0 : Cases::gap_at(drawn, share);
+    const double target = gap > 0 && std::isfinite(gap) ? gap : Cases::size(drawn) * share + 0.5;
+    RC_LOG() << "target " << literal(target) << "\n";
+    return target;
+  }
+
+  static bool is_compound(const Any& shape) { return std::holds_alternative<Compound<dimension, Number>>(shape); }
+
+  /// By how much the shapes may get nearer although the motion does not approach them.
+  static double slack(const Case& drawn) {
+    return Cases::place_error(drawn) + 2 * tolerance::approach<Number> * static_cast<double>(sum_abs(drawn.motion));
+  }
+};
+
+TYPED_TEST_SUITE(CastOptionsLaw, Spaces);
+
+TYPED_TEST(CastOptionsLaw, WithoutOptionsSetNothingChanges) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    RC_ASSERT((detail::impact_of(drawn.a, drawn.motion, drawn.b, CastOptions{}) ==
+               impact_of<N, T>(drawn.a, drawn.motion, drawn.b)));
+  });
+}
+
+TYPED_TEST(CastOptionsLaw, TheShapesAreAsNearAsTheTargetAtTheImpactAndNotBefore) {
+  check_property([] {
+    const auto drawn = TestFixture::draw_case();
+    const double target = TestFixture::draw_target(drawn);
+    const auto found = TestFixture::cast_hit(drawn, {false, target});
+    const double slack = TestFixture::place_error(drawn) + 32 * tolerance::epsilon * target;
+    if (TestFixture::verdict_at(drawn, 0).is_nearly_parallel) return;  // they meet, too far away to be noticed
+    if (!found) {
+      for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) RC_ASSERT(TestFixture::gap_at(drawn, t) - target >= -slack);
+      return;
+    }
+    const double error = found->error + slack;
+    const double over = TestFixture::gap_at(drawn, found->t) - target;
+    RC_LOG() << "farther by " << over << ", allowed " << error << "\n";
+    RC_ASSERT(over <= error);
+    if (found->t == 0) return;
+    RC_ASSERT(found->status == Status::best_bound ||
+              found->error <= 4096 * tolerance::epsilon * (TestFixture::size(drawn) + target));
+    RC_ASSERT(over >= -error);
+    for (const double share : {0.25, 0.75, 0.999}) {
+      RC_ASSERT(TestFixture::gap_at(drawn, found->t * share) - target >= -error);
+    }
+  });
+}
+
+TYPED_TEST(CastOptionsLaw, ThePointIsOnTheSecondShapeAndTheTargetAwayFromTheFirst) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    const double target = TestFixture::draw_target(drawn);
+    const auto found = TestFixture::cast_hit(drawn, {false, target});
+    if (!found || found->t == 0) return;
+    const double size = TestFixture::size(drawn) + target;
+    const double slack = 4 * (found->error + TestFixture::place_error(drawn)) + 1e-9 * size;
+    const Vec<N, double> on_a = found->point - found->normal * target - wide<N, T>(drawn.motion) * found->t;
+    RC_ASSERT(std::fabs(length(found->normal) - 1) <= 8 * tolerance::epsilon);
+    RC_ASSERT((std::fabs(height_of<N, T>(drawn.b, found->point)) <= slack));
+    RC_ASSERT((std::fabs(height_of<N, T>(drawn.a, on_a)) <= slack));
+  });
+}
+
+TYPED_TEST(CastOptionsLaw, SwappedShapesStopAtTheSameTime) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    const double target = TestFixture::draw_target(drawn);
+    const bool may_be_equal = TestFixture::is_compound(drawn.a) || TestFixture::is_compound(drawn.b) ||
+                              to_source<N, T>(drawn.a) == to_source<N, T>(drawn.b);
+    for (const bool ignores : {false, true}) {
+      if (ignores && may_be_equal) continue;  // the normal of the contact of equal shapes is that of the swapped ones
+      const auto one = TestFixture::cast_hit(drawn, {ignores, target});
+      const auto other = TestFixture::cast_hit({drawn.b, -drawn.motion, drawn.a}, {ignores, target});
+      RC_ASSERT(one.has_value() == other.has_value());
+      if (one) RC_ASSERT(one->t == other->t);
+    }
+  });
+}
+
+TYPED_TEST(CastOptionsLaw, ATargetDistanceIsARadiusMore) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    auto drawn = TestFixture::draw_case();
+    const auto ball = *any<Sphere<N, T>>();
+    const T more = std::fabs((*any<Sphere<N, T>>()).radius);
+    drawn.a = ball;
+    const auto near = TestFixture::cast_hit(drawn, {false, static_cast<double>(more)});
+    drawn.a = Sphere<N, T>{ball.center, ball.radius + more};
+    const auto touch = TestFixture::cast_hit(drawn, {});
+    const double rounding = static_cast<double>(std::numeric_limits<T>::epsilon()) * TestFixture::size(drawn);
+    if (!near || !touch) {
+      const auto& found = near ? near : touch;
+      if (found) RC_ASSERT(TestFixture::gap_at(drawn, found->t) >= -(rounding + found->error));
+      return;
+    }
+    const double between = std::fabs(near->t - touch->t) * static_cast<double>(sum_abs(drawn.motion));
+    const double error = rounding + near->error + touch->error + TestFixture::place_error(drawn);
+    const bool is_near = std::fabs(TestFixture::gap_at(drawn, std::max(near->t, touch->t))) <= 2 * error ||
+                         std::max(near->t, touch->t) == 0;
+    RC_ASSERT(between <= error || is_near);
+  });
+}
+
+// ---- Touches that are not approached
+
+TYPED_TEST(CastOptionsLaw, WhatStopsTheCastIsApproached) {
+  check_property([] {
+    const auto drawn = TestFixture::draw_case();
+    const auto found = TestFixture::cast_hit(drawn, {true, 0});
+    if (!found) return;
+    const auto plain = TestFixture::cast_hit(drawn, {});
+    RC_ASSERT(plain.has_value());
+    RC_ASSERT(plain->t <= found->t);
+    RC_ASSERT(dot(found->normal, wide<TypeParam::dimension, typename TypeParam::scalar>(drawn.motion)) > 0);
+    if (TestFixture::is_compound(drawn.a) || TestFixture::is_compound(drawn.b)) return;
+    RC_ASSERT(plain->t == found->t);
+    RC_ASSERT(plain->normal == found->normal);
+    RC_ASSERT(plain->point == found->point);
+  });
+}
+
+/// As a convex shape passes another, their signed distance falls and then rises.
+TYPED_TEST(CastOptionsLaw, WhatDoesNotStopTheCastNeverGoesDeeper) {
+  check_property([] {
+    const auto drawn = TestFixture::draw_case();
+    RC_PRE(!TestFixture::is_compound(drawn.a) && !TestFixture::is_compound(drawn.b));
+    if (TestFixture::cast_hit(drawn, {true, 0})) return;
+    const double start = std::min(0.0, TestFixture::gap_at(drawn, 0));
+    const auto contact = detail::penetration(drawn.a, drawn.b);
+    const double error = TestFixture::slack(drawn) + (contact ? 2 * contact->error : 0.0);
+    for (const double t : {0.001, 0.25, 0.5, 0.75, 1.0}) {
+      const double gap = TestFixture::gap_at(drawn, t);
+      RC_LOG() << "gap " << start << ", at " << t << " " << gap << ", allowed " << error << "\n";
+      RC_ASSERT(gap >= start - error || std::isinf(start));
+    }
+  });
+}
+
+TYPED_TEST(CastOptionsLaw, ACompoundStopsWhenItsFirstPartDoes) {
+  check_property([] {
+    constexpr Dim N = TypeParam::dimension;
+    using T = typename TypeParam::scalar;
+    const auto drawn = TestFixture::draw_case();
+    const double target = *rc::gen::inRange(0, 2) == 0 ? 0.0 : TestFixture::draw_target(drawn);
+    const CastOptions options{*rc::gen::inRange(0, 2) == 0, target};
+    auto second = drawn;
+    second.b = *any_shape<N, T>();
+    auto both = drawn;
+    both.b = compound_of<N, T>({drawn.b, second.b});
+    const auto one = TestFixture::cast_hit(drawn, options);
+    const auto two = TestFixture::cast_hit(second, options);
+    const auto first = TestFixture::cast_hit(both, options);
+    RC_ASSERT(first.has_value() == (one || two));
+    if (!first) return;
+    for (const auto& found : {one, two, first}) {
+      if (found && found->status == Status::best_bound) return;  // a bound may be better for a shorter motion
+    }
+    const double never = 2;
+    RC_ASSERT(first->t == std::min(one ? one->t : never, two ? two->t : never));
+    if (first->t == 0) {
+      RC_ASSERT(first->depth ==
+                std::max(one && one->t == 0 ? one->depth : -HUGE_VAL, two && two->t == 0 ? two->depth : -HUGE_VAL));
+    }
+  });
+}
+
+}  // namespace
+}  // namespace graze::test::cast_options_laws_test
