@@ -294,7 +294,11 @@ auto RecordedScene<N, T>::ask(LoggedCall<N> call, const AnyShape<N, T>& shape, c
   call.layers = query.layers;
   for (const ObjectId& id : except) call.except.push_back(ids_.logged(id));
   give(call, shape);
-  return record(call, [&] { return act(SceneQuery{.layers = query.layers, .except = except}); });
+  call.ignore_initial_touch = query.ignore_initial_touch;
+  return record(call, [&] {
+    return act(
+        SceneQuery{.layers = query.layers, .except = except, .ignore_initial_touch = query.ignore_initial_touch});
+  });
 }
 
 template <Dim N, class T>

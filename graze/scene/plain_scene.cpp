@@ -319,7 +319,9 @@ std::vector<ObjectImpact<N, T>> PlainScene<N, T>::shape_cast_all(const AnyShape<
                                                                  const SceneQuery& query) const {
   require(is_valid(shape), "the moving shape is not valid");
   require(is_finite(motion), "the motion is not finite");
-  return impacts(query, [&](const AnyShape<N, T>& other) { return graze::shape_cast(shape, motion, other); });
+  return impacts(query, [&](const AnyShape<N, T>& other) {
+    return graze::shape_cast(shape, motion, other, detail::cast_options(query));
+  });
 }
 
 template <Dim N, class T>

@@ -60,8 +60,9 @@ std::optional<ObjectImpact<N, T>> SceneView<N, T>::shape_cast(const AnyShape<N, 
                                                               const SceneQuery& query) const {
   detail::refuse_fault("moving shape", shape);
   require_finite_motion(motion);
-  return first_impact(detail::swept_box_of(touching_bounds(shape), motion), query,
-                      [&](const AnyShape<N, T>& other) { return graze::shape_cast(shape, motion, other); });
+  return first_impact(detail::swept_box_of(touching_bounds(shape), motion), query, [&](const AnyShape<N, T>& other) {
+    return graze::shape_cast(shape, motion, other, detail::cast_options(query));
+  });
 }
 
 template <Dim N, class T>
@@ -73,7 +74,8 @@ std::vector<ObjectImpact<N, T>> SceneView<N, T>::shape_cast_all(const AnyShape<N
   index().visit_swept(detail::swept_box_of(touching_bounds(shape), motion), [&](std::uint32_t slot) {
     const Object<N, T>& object = in_slot(slot);
     if (detail::admits(query, id_of(slot), object.layer)) {
-      if (const auto impact = graze::shape_cast(shape, motion, object.shape)) result.push_back({id_of(slot), *impact});
+      if (const auto impact = graze::shape_cast(shape, motion, object.shape, detail::cast_options(query)))
+        result.push_back({id_of(slot), *impact});
     }
     return std::numeric_limits<double>::infinity();
   });

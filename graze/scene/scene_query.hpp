@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include <graze/query/cast_options.hpp>
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -23,12 +24,19 @@ struct SceneQuery {
   /// ids use the predicate.
   std::span<const ObjectId> except = {};
   /// True for the objects that may be found; if it is empty, all may. A query calls it for some objects, in any order,
-  /// perhaps more than once. It may query the scene but must not change it. What it throws
-  /// reaches the caller of the query.
+  /// perhaps more than once. It may query the scene but must not change it. What it throws reaches the caller.
   std::function<bool(ObjectId)> predicate = {};
+  /// For `shape_cast` and `shape_cast_all`: what the shape touches at the start, and does not approach, does not stop
+  /// it, as CastOptions::ignore_initial_touch describes. Other queries do not use it.
+  bool ignore_initial_touch = false;
 };
 
 namespace detail {
+
+/// How a query casts a shape.
+inline CastOptions cast_options(const SceneQuery& query) {
+  return {.ignore_initial_touch = query.ignore_initial_touch};
+}
 
 /// Whether a query may find an object on a layer.
 inline bool admits(const SceneQuery& query, const ObjectId& id, Layer layer) {

@@ -24,7 +24,7 @@ template <Dim N, class T>
 void ask_at_random(const RecordedScene<N, T>& scene) {
   const AnyShape<N, T> region = *test::any_shape<N, T>();
   const LayerMask layers = *rc::gen::element(all_layers, LayerMask{1}, LayerMask{2}, LayerMask{0});
-  const SceneQuery query{.layers = layers};
+  const SceneQuery query{.layers = layers, .ignore_initial_touch = *rc::gen::arbitrary<bool>()};
   switch (*rc::gen::inRange(0, 13)) {
     case 0:
       scene.overlapping(region, layers);

@@ -72,6 +72,20 @@ TEST(SceneCast, AmongEqualTimesTheLowestIdIsFirst) {
   EXPECT_EQ(scene.shape_cast(mover, {4, 0}, {.except = {&first, 1}})->id, second);
 }
 
+TEST(SceneCast, WhatIsTouchedAtTheStartAndNotApproachedMayBeIgnored) {
+  World scene;
+  const ObjectId floor = scene.add(Box{{-9, -1}, {5, 0}});
+  const ObjectId wall = scene.add(Box{{8, -9}, {9, 9}});
+  const Box crate{{0, 0}, {1, 1}};
+  EXPECT_EQ(ids_of(scene.shape_cast_all(crate, {14, 0})), (Ids{floor, wall}));
+  EXPECT_EQ(ids_of(scene.shape_cast_all(crate, {14, 0}, {.ignore_initial_touch = true})), (Ids{wall}));
+  const auto hit = scene.shape_cast(crate, {14, 0}, {.ignore_initial_touch = true});
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->id, wall);
+  EXPECT_EQ(hit->impact.t, 0.5);
+  EXPECT_EQ(scene.shape_cast(crate, {14, -1}, {.ignore_initial_touch = true})->id, floor);  // it is approached
+}
+
 TEST(SceneCast, WhatIsTouchedAtTheStartIsTouchedAtZero) {
   World scene;
   const ObjectId floor = scene.add(HalfSpace<2, double>{{0, 1}, 0});
@@ -212,13 +226,21 @@ class Trial {
            are_same(listed(judge_.time_of_impact(shape, motion)), head(expected));
   }
   bool agrees_with(const Shape& shape, const Vec<N, T>& motion, LayerMask layers, std::size_t excepted) const {
-    const SceneQuery query{.layers = layers, .except = {&held_[excepted].id, 1}};
-    const SceneQuery judged{.layers = layers, .except = {&held_[excepted].judged, 1}};
+    SceneQuery query{.layers = layers, .except = {&held_[excepted].id, 1}};
+    SceneQuery judged{.layers = layers, .except = {&held_[excepted].judged, 1}};
+    const bool agrees = agrees_on_queries(shape, motion, query, judged);
+    query.ignore_initial_touch = true;
+    judged.ignore_initial_touch = true;
+    return agrees && agrees_on_queries(shape, motion, query, judged);
+  }
+
+ private:
+  bool agrees_on_queries(const Shape& shape, const Vec<N, T>& motion, const SceneQuery& query,
+                         const SceneQuery& judged) const {
     return are_same(scene_.shape_cast_all(shape, motion, query), judge_.shape_cast_all(shape, motion, judged)) &&
            are_same(listed(scene_.shape_cast(shape, motion, query)), listed(judge_.shape_cast(shape, motion, judged)));
   }
 
- private:
   struct Held {
     ObjectId id;
     ObjectId judged;

@@ -108,7 +108,7 @@ class WorldTarget final : public CallTarget<N> {
     const AnyShape<N, T> asked = shape(call, 0);
     std::vector<ObjectId> except;
     for (const ObjectId& id : call.except) except.push_back(ids_.real(id));
-    const SceneQuery query{.layers = call.layers, .except = except};
+    const SceneQuery query{.layers = call.layers, .except = except, .ignore_initial_touch = call.ignore_initial_touch};
     const Motion<N, T> motion{Vec<N, T>(call.motion.linear), Turn<N, T>(call.motion.angular),
                               Vec<N, T>(call.motion.center)};
     switch (call.kind) {

@@ -32,7 +32,7 @@ struct FieldNames {
   CallFields field;
   std::array<std::string_view, 5> names;
 };
-constexpr std::array<FieldNames, 16> field_names = {{
+constexpr std::array<FieldNames, 17> field_names = {{
     {field_id, {"id"}},
     {field_ids, {"ids"}},
     {field_vacant_ids, {"vacant_ids"}},
@@ -49,6 +49,7 @@ constexpr std::array<FieldNames, 16> field_names = {{
     {field_rotation, {"angular", "center"}},
     {field_within, {"within"}},
     {field_except, {"except"}},
+    {field_initial_touch, {"ignore_initial_touch"}},
 }};
 
 void allow_fields(const JsonFields& line, CallKind kind) {
@@ -95,6 +96,14 @@ std::vector<ObjectId> read_ids(const JsonFields& line, std::string_view name) {
   return ids;
 }
 
+/// False if it is missing.
+bool read_flag(const JsonFields& line, std::string_view name) {
+  const auto flag = line.find(name);
+  if (!flag) return false;
+  if (flag->kind() != JsonKind::boolean) throw line.error(name, "must be true or false");
+  return flag->boolean();
+}
+
 ObjectOptions read_options(const JsonFields& line) {
   const JsonPlace& place = line.place();
   ObjectOptions options;
@@ -104,10 +113,7 @@ ObjectOptions read_options(const JsonFields& line) {
   }
   if (const auto mask = line.find("mask")) options.mask = read_whole(*mask, {"mask"}, place);
   if (const auto user = line.find("user")) options.user = read_whole(*user, {"user"}, place);
-  if (const auto fixed = line.find("fixed")) {
-    if (fixed->kind() != JsonKind::boolean) throw line.error("fixed", "must be true or false");
-    if (fixed->boolean()) options.mobility = Mobility::fixed;
-  }
+  if (read_flag(line, "fixed")) options.mobility = Mobility::fixed;
   return options;
 }
 
@@ -254,6 +260,7 @@ LoggedCall<N> read_call(const JsonDocument& document) {
   if (has(field_margin)) call.margin = line.number("margin");
   if (has(field_within)) call.within = line.number("within");
   if (has(field_except) && line.find("except")) call.except = read_ids(line, "except");
+  if (has(field_initial_touch)) call.ignore_initial_touch = read_flag(line, "ignore_initial_touch");
   read_motion(call, line);
   if (const auto t_max = line.find("t_max")) call.t_max = read_number(*t_max, {"t_max"}, place);
   if (const auto layers = line.find("layers")) call.layers = read_whole(*layers, {"layers"}, place);

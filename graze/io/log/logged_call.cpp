@@ -102,6 +102,7 @@ std::string call_line(const LoggedCall<N>& call) {
   if (has(field_within)) writer.field("within", number_text(call.within));
   if (has(field_layers) && call.layers != all_layers) writer.field("layers", fmt::format("{}", call.layers));
   if (has(field_except) && !call.except.empty()) writer.list("except", call.except, id_text);
+  if (has(field_initial_touch) && call.ignore_initial_touch) writer.field("ignore_initial_touch", "true");
   return writer.finished();
 }
 

@@ -74,6 +74,7 @@ enum CallFields : std::uint32_t {
   field_rotation = 1U << 13U,
   field_within = 1U << 14U,
   field_except = 1U << 15U,
+  field_initial_touch = 1U << 16U,
 };
 
 /// How a kind of call is written.
@@ -104,8 +105,8 @@ inline constexpr std::array<CallForm, call_kinds> call_forms = {{
     {"nearest", field_shape | field_count | field_layers, false},
     {"ray_cast", field_shape | field_t_max | field_layers, false},
     {"ray_cast_all", field_shape | field_t_max | field_layers, false},
-    {"shape_cast", field_shape | field_motion | field_layers | field_except, false},
-    {"shape_cast_all", field_shape | field_motion | field_layers | field_except, false},
+    {"shape_cast", field_shape | field_motion | field_layers | field_except | field_initial_touch, false},
+    {"shape_cast_all", field_shape | field_motion | field_layers | field_except | field_initial_touch, false},
     {"time_of_impact", field_shape | field_motion | field_rotation | field_layers | field_except, false},
     {"contacts_with", field_shape | field_layers | field_except, false},
     {"nearest_to", field_shape | field_count | field_layers | field_except, false},
@@ -133,6 +134,7 @@ struct LoggedCall {
   std::string name = {};                         ///< The name of a layer or object.
   LayerMask layers = all_layers;                 ///< The layers of a query.
   std::vector<ObjectId> except = {};             ///< The objects that a query leaves out.
+  bool ignore_initial_touch = false;             ///< Of a query that casts a shape.
   std::uint64_t count = 0;                       ///< The number of objects for `nearest` and `nearest_to`.
   double t_max = std::numeric_limits<double>::infinity();  ///< The end of a ray.
   double margin = 0;                                       ///< The margin of `candidates`.
