@@ -18,11 +18,14 @@
 
 #include <fmt/format.h>
 
+#include <graze/io/input_error.hpp>
+#include <graze/io/json/shape_reader.hpp>
 #include <graze/io/log/query_log.hpp>
 #include <graze/io/log/scene_after.hpp>
 #include <graze/io/report/found.hpp>
 #include <graze/io/scene_file.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/scene/scene_query.hpp>
 
 #include "command.hpp"
 #include "coordinates.hpp"
@@ -48,6 +51,10 @@ struct QueryArguments {
   std::optional<std::string> box;
   std::optional<std::string> sphere;
   std::optional<std::string> ray;
+  std::optional<std::string> cast;
+  std::optional<std::string> motion;
+  std::optional<std::string> contacts_with;
+  std::optional<std::string> nearest_to;
   std::optional<std::int64_t> nearest;  // signed, so that negative numbers are detected
   std::optional<double> t_max;
   std::optional<std::string> layer;
@@ -77,18 +84,24 @@ void require_one_scene(const QueryArguments& arguments) {
 
 /// Refuses a missing or ambiguous question, and options that belong to another one.
 void require_one_question(const QueryArguments& arguments) {
-  const int questions = int{arguments.point.has_value()} + int{arguments.box.has_value()} +
-                        int{arguments.sphere.has_value()} + int{arguments.ray.has_value()};
-  if (questions != 1) {
-    throw UsageError(questions == 0 ? "no query is given; use one of --point, --box, --sphere and --ray"
-                                    : "several queries are given; use only one of --point, --box, --sphere and --ray");
+  int questions = 0;
+  for (const auto* const question : {&arguments.point, &arguments.box, &arguments.sphere, &arguments.ray,
+                                     &arguments.cast, &arguments.contacts_with, &arguments.nearest_to}) {
+    questions += question->has_value() ? 1 : 0;
   }
-  if (arguments.nearest && !arguments.point) throw UsageError("--nearest needs --point");
+  constexpr std::string_view known = "of --point, --box, --sphere, --ray, --cast, --contacts-with and --nearest-to";
+  if (questions == 0) throw UsageError(fmt::format("no query is given; use one {}", known));
+  if (questions > 1) throw UsageError(fmt::format("several queries are given; use only one {}", known));
+  if (arguments.nearest && !arguments.point && !arguments.nearest_to) {
+    throw UsageError("--nearest needs --point or --nearest-to");
+  }
   if (arguments.nearest && *arguments.nearest < 1) {
     throw UsageError(fmt::format("--nearest is {}; it must be 1 or more", *arguments.nearest));
   }
   if (arguments.t_max && !arguments.ray) throw UsageError("--t-max needs --ray");
-  if (arguments.only_first && !arguments.ray) throw UsageError("--first needs --ray");
+  if (arguments.cast && !arguments.motion) throw UsageError("--cast needs --motion");
+  if (arguments.motion && !arguments.cast) throw UsageError("--motion needs --cast");
+  if (arguments.only_first && !arguments.ray && !arguments.cast) throw UsageError("--first needs --ray or --cast");
 }
 
 /// Parses "1,2.5,-3" as the given number of numbers.
@@ -119,20 +132,15 @@ template <Dim N>
 class Query {
  public:
   Query(const QueryArguments& arguments, const Scene<N, double>& scene) : arguments_(arguments), scene_(scene) {
-    if (arguments.layer) layers_ = mask_of(*arguments.layer);
+    if (arguments.layer) query_.layers = mask_of(*arguments.layer);
   }
 
-  void ask(io::FoundReport& report) const {
+  void ask(io::FoundReport& report) {
     if (arguments_.ray) return ask_ray(report);
-    if (arguments_.nearest) {
-      report.detail = FoundDetail::distance;
-      const auto count = static_cast<std::size_t>(*arguments_.nearest);
-      for (const auto& [id, distance] : scene_.nearest(point(), count, layers_)) {
-        report.objects.push_back(found(id, distance));
-      }
-      return;
-    }
-    for (const ObjectId id : scene_.overlapping(region(), layers_)) report.objects.push_back(found(id, 0));
+    if (arguments_.cast) return ask_cast(report);
+    if (arguments_.contacts_with) return ask_contacts(report);
+    if (arguments_.nearest || arguments_.nearest_to) return ask_nearest(report);
+    for (const ObjectId id : scene_.overlapping(region(), query_)) report.objects.push_back(found(id, 0));
   }
 
  private:
@@ -171,6 +179,70 @@ class Query {
     return Sphere<N, double>{vector_at<N>(numbers, 0), numbers[N]};
   }
 
+  /// A shape in JSON, or that of an object by its name, which then is not found itself.
+  AnyShape<N, double> shape(const std::string& option, const std::string& text) {
+    if (!text.empty() && text.front() == '{') {
+      try {
+        return io::parse_json_shape<N>(text, option);
+      } catch (const io::InputError& error) {
+        throw UsageError(error.what());
+      }
+    }
+    const std::optional<ObjectId> id = scene_.find(text);
+    if (!id) {
+      std::vector<std::string_view> names;
+      for (const ObjectId& other : scene_.ids()) names.push_back(scene_.object(other).name);
+      throw UsageError(option + " " + io::in_quotes(text) + " is no object of the scene, and no shape such as " +
+                       R"({"type": "sphere", ...})" + io::did_you_mean(text, names));
+    }
+    excepted_ = *id;
+    query_.except = {&excepted_, 1};
+    return scene_.object(*id).shape;
+  }
+
+  void ask_cast(io::FoundReport& report) {
+    const auto numbers = numbers_in("--motion", *arguments_.motion, N, is_flat ? "x,y" : "x,y,z");
+    const Vec<N, double> motion = vector_at<N>(numbers, 0);
+    const AnyShape<N, double> moving = shape("--cast", *arguments_.cast);
+    std::vector<ObjectImpact<N, double>> impacts;
+    if (arguments_.only_first) {
+      if (const auto first = scene_.shape_cast(moving, motion, query_)) impacts.push_back(*first);
+    } else {
+      impacts = scene_.shape_cast_all(moving, motion, query_);
+    }
+    report.detail = FoundDetail::impact;
+    for (const auto& [id, impact] : impacts) {
+      report.objects.push_back(found_at(id, impact.t, impact.point, impact.normal));
+    }
+  }
+
+  void ask_contacts(io::FoundReport& report) {
+    report.detail = FoundDetail::contact;
+    for (const auto& [id, manifold] :
+         scene_.contacts_with(shape("--contacts-with", *arguments_.contacts_with), query_)) {
+      for (const auto& contact : manifold.contacts()) {
+        report.objects.push_back(found_at(id, contact.depth, contact.point, manifold.normal));
+      }
+    }
+  }
+
+  void ask_nearest(io::FoundReport& report) {
+    report.detail = FoundDetail::distance;
+    const auto count = static_cast<std::size_t>(arguments_.nearest.value_or(1));
+    const AnyShape<N, double> from =
+        arguments_.nearest_to ? shape("--nearest-to", *arguments_.nearest_to) : AnyShape<N, double>(point());
+    for (const auto& [id, distance] : scene_.nearest(from, count, query_))
+      report.objects.push_back(found(id, distance));
+  }
+
+  io::FoundObject found_at(const ObjectId& id, double number, const Vec<N, double>& point,
+                           const Vec<N, double>& normal) const {
+    io::FoundObject object = found(id, number);
+    object.point = coordinates(point);
+    object.normal = coordinates(normal);
+    return object;
+  }
+
   void ask_ray(io::FoundReport& report) const {
     const auto numbers = numbers_in(
         "--ray", *arguments_.ray, two_vectors,
@@ -180,21 +252,17 @@ class Query {
     report.detail = FoundDetail::hit;
     std::vector<ObjectHit<N, double>> hits;
     if (arguments_.only_first) {
-      if (const auto first = scene_.ray_cast(ray, t_max, layers_)) hits.push_back(*first);
+      if (const auto first = scene_.ray_cast(ray, t_max, query_)) hits.push_back(*first);
     } else {
-      hits = scene_.ray_cast_all(ray, t_max, layers_);
+      hits = scene_.ray_cast_all(ray, t_max, query_);
     }
-    for (const auto& [id, hit] : hits) {
-      io::FoundObject object = found(id, hit.t);
-      object.point = coordinates(hit.point);
-      object.normal = coordinates(hit.normal);
-      report.objects.push_back(std::move(object));
-    }
+    for (const auto& [id, hit] : hits) report.objects.push_back(found_at(id, hit.t, hit.point, hit.normal));
   }
 
   const QueryArguments& arguments_;
   const Scene<N, double>& scene_;
-  LayerMask layers_ = all_layers;
+  SceneQuery query_;
+  ObjectId excepted_;  // `query_` refers to it
 };
 
 template <Dim N>
@@ -255,8 +323,10 @@ ExitCode run_query(const QueryArguments& arguments) {
 }
 
 constexpr const char* query_footer =
-    R"(One query at a time. Objects are in the scene's order, the nearest objects by distance, ray
-hits by t, in multiples of the direction's length. Shapes contain their surface.
+    R"(One query at a time. Objects are in the scene's order, the nearest objects by distance, hits of
+rays by t, in multiples of the direction's length, and those of moving shapes by t from 0 to 1.
+Shapes contain their surface. SHAPE is the name of an object, which then is not found itself,
+or a shape as in a scene file: '{"type": "sphere", "center": [0, 1], "radius": 2}'.
 Instead of SCENE, a query log can be given; then the scene at its end is queried.
 
 Examples:
@@ -264,6 +334,7 @@ Examples:
   graze query level.tmx --point 120,64 --nearest 3
   graze query workshop.json --box 0,0,0,2,2,2 --layer tools
   graze query workshop.json --ray 0,0,1,1,0,0 --first --format json
+  graze query level.tmx --cast player --motion 40,0 --first
   graze query --log workshop.log --point 0,0,1
 
 Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be written)";
@@ -271,8 +342,8 @@ Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be writ
 }  // namespace
 
 Command add_query(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("query", "Find objects at a point, in a region, along a ray, or nearest to a point");
+  CLI::App* app = program.add_subcommand(
+      "query", "Find objects at a point, in a region, on the way of a ray or a shape, or nearest to one");
   const auto arguments = std::make_shared<QueryArguments>();
   const auto add = [app](const char* name, auto& value, const char* help, const char* type) {
     app->add_option(name, value, help)->type_name(type)->take_last();
@@ -280,12 +351,16 @@ Command add_query(CLI::App& program) {
   app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->type_name("");
   add("--log", arguments->log, "Instead of SCENE: a query log; queries the scene at its end", "FILE");
   add("--point", arguments->point, "Objects that contain this point", "X,Y[,Z]");
-  add("--nearest", arguments->nearest, "With --point: the K objects nearest to it", "K");
+  add("--nearest", arguments->nearest, "With --point or --nearest-to: the K objects nearest to it", "K");
   add("--box", arguments->box, "Objects that touch the box between two corners", "CORNER,CORNER");
   add("--sphere", arguments->sphere, "Objects that touch this sphere, in 2D a circle", "CENTER,RADIUS");
   add("--ray", arguments->ray, "Objects that a ray hits, in order", "ORIGIN,DIRECTION");
   add("--t-max", arguments->t_max, "With --ray: no hit beyond this t; 1 for a segment", "T");
-  app->add_flag("--first", arguments->only_first, "With --ray: only the first hit");
+  add("--cast", arguments->cast, "Objects that a moving shape hits, in order", "SHAPE");
+  add("--motion", arguments->motion, "With --cast: how far the shape moves", "X,Y[,Z]");
+  add("--contacts-with", arguments->contacts_with, "Where objects touch this shape, and how deep", "SHAPE");
+  add("--nearest-to", arguments->nearest_to, "The object nearest to this shape", "SHAPE");
+  app->add_flag("--first", arguments->only_first, "With --ray or --cast: only the first hit");
   add("--layer", arguments->layer, "Only objects on this layer", "NAME");
   add("--format", arguments->format, "table (the default), json, ndjson or csv", "FORMAT");
   add("--output", arguments->output, "Write the result to a file instead of the standard output", "FILE");

@@ -251,7 +251,7 @@ class Slider {
   std::vector<ObjectImpact<N, T>> touches_;
 };
 
-void require(bool is_right, const char* what) {
+void require_of_slide(bool is_right, const char* what) {
   if (!is_right) throw std::invalid_argument(std::string("slide: ") + what);
 }
 
@@ -264,14 +264,15 @@ Slide<N, T> slide(const SceneView<N, T>& scene, const std::type_identity_t<AnySh
                   const std::type_identity_t<Vec<N, T>>& motion, const SlideOptions& options) {
   const std::string_view fault = defect(shape);
   if (!fault.empty())
-    require(false, ("the shape, a " + std::string(type_name<N, T>(shape)) + ", " + std::string(fault)).c_str());
-  require(is_finite(motion), "the motion has a number that is not finite");
-  require(is_length(options.clearance), "the clearance is negative or not finite");
-  require(is_length(options.step_height), "the step height is negative or not finite");
-  require(options.max_slope >= 0 && options.max_slope <= std::numbers::pi / 2,
-          "the slope is not between 0 and a right angle");
+    require_of_slide(false,
+                     ("the shape, a " + std::string(type_name<N, T>(shape)) + ", " + std::string(fault)).c_str());
+  require_of_slide(is_finite(motion), "the motion has a number that is not finite");
+  require_of_slide(is_length(options.clearance), "the clearance is negative or not finite");
+  require_of_slide(is_length(options.step_height), "the step height is negative or not finite");
+  require_of_slide(options.max_slope >= 0 && options.max_slope <= std::numbers::pi / 2,
+                   "the slope is not between 0 and a right angle");
   const Vec<N, double> up(options.up);
-  require(is_finite(up) && dot(up, up) > 0 && std::isfinite(dot(up, up)), "up is zero or not finite");
+  require_of_slide(is_finite(up) && dot(up, up) > 0 && std::isfinite(dot(up, up)), "up is zero or not finite");
   return Slider<N, T>(scene, shape, options).run(motion);
 }
 

@@ -225,6 +225,14 @@ AnyShape<N, double> read_json_shape(JsonValue object, const JsonPlace& place,
   return readers<N>[type_index](fields);
 }
 
+template <Dim N>
+AnyShape<N, double> parse_json_shape(std::string_view text, const std::string& source) {
+  const JsonDocument document(text, source);
+  return read_json_shape<N>(document.root(), JsonPlace{document}, {});
+}
+
+template AnyShape<2, double> parse_json_shape<2>(std::string_view, const std::string&);
+template AnyShape<3, double> parse_json_shape<3>(std::string_view, const std::string&);
 template AnyShape<2, double> read_json_shape<2>(JsonValue, const JsonPlace&, std::span<const std::string_view>);
 template AnyShape<3, double> read_json_shape<3>(JsonValue, const JsonPlace&, std::span<const std::string_view>);
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <graze/io/json/fields.hpp>
+#include <graze/math/platform/export.hpp>
 #include <graze/shape/any_shape.hpp>
 
 namespace graze::io {
@@ -14,5 +16,9 @@ namespace graze::io {
 template <Dim N>
 AnyShape<N, double> read_json_shape(JsonValue object, const JsonPlace& place,
                                     std::span<const std::string_view> other_fields);
+
+/// Reads a shape from the text of a JSON object, `source` in messages. Throws InputError; the returned shape is valid.
+template <Dim N>
+GRAZE_EXPORT AnyShape<N, double> parse_json_shape(std::string_view text, const std::string& source);
 
 }  // namespace graze::io

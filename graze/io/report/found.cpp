@@ -12,7 +12,12 @@
 namespace graze::io {
 namespace {
 
-std::string_view number_name(FoundDetail detail) { return detail == FoundDetail::distance ? "distance" : "t"; }
+std::string_view number_name(FoundDetail detail) {
+  if (detail == FoundDetail::distance) return "distance";
+  return detail == FoundDetail::contact ? "depth" : "t";
+}
+
+bool has_vectors(FoundDetail detail) { return detail != FoundDetail::none && detail != FoundDetail::distance; }
 
 /// "1, 2.5, -3"
 std::string listed(const std::vector<double>& numbers, std::string_view separator) {
@@ -24,7 +29,7 @@ std::string json_object(const FoundReport& report, const FoundObject& object) {
   if (report.detail != FoundDetail::none) {
     text += fmt::format(R"(, "{}": {})", number_name(report.detail), object.number);
   }
-  if (report.detail == FoundDetail::hit) {
+  if (has_vectors(report.detail)) {
     text += fmt::format(R"(, "point": [{}], "normal": [{}])", listed(object.point, ", "), listed(object.normal, ", "));
   }
   return text + "}";
@@ -46,7 +51,7 @@ void write_csv(std::ostream& out, const FoundReport& report) {
   const bool is_flat = report.head.dimension == 2;
   std::string columns = "name,type";
   if (report.detail != FoundDetail::none) columns += fmt::format(",{}", number_name(report.detail));
-  if (report.detail == FoundDetail::hit) {
+  if (has_vectors(report.detail)) {
     columns += is_flat ? ",x,y,normal_x,normal_y" : ",x,y,z,normal_x,normal_y,normal_z";
   }
   out << columns << '\n';
@@ -54,7 +59,7 @@ void write_csv(std::ostream& out, const FoundReport& report) {
   for (const FoundObject& object : report.objects) {
     out << csv_field(object.name) << ',' << object.type;
     if (report.detail != FoundDetail::none) out << fmt::format(",{}", object.number);
-    if (report.detail == FoundDetail::hit) out << ',' << listed(object.point, ",") << ',' << listed(object.normal, ",");
+    if (has_vectors(report.detail)) out << ',' << listed(object.point, ",") << ',' << listed(object.normal, ",");
     out << '\n';
   }
 }
@@ -62,13 +67,13 @@ void write_csv(std::ostream& out, const FoundReport& report) {
 TableRow head_row(FoundDetail detail) {
   if (detail == FoundDetail::none) return {{"NAME"}, {"TYPE"}};
   if (detail == FoundDetail::distance) return {{"NAME"}, {"TYPE"}, {"DISTANCE"}};
-  return {{"NAME"}, {"TYPE"}, {"T"}, {"POINT"}, {"NORMAL"}};
+  return {{"NAME"}, {"TYPE"}, {detail == FoundDetail::contact ? "DEPTH" : "T"}, {"POINT"}, {"NORMAL"}};
 }
 
 TableRow row_of(const FoundReport& report, const FoundObject& object) {
   TableRow row{{printable(object.name)}, {std::string(object.type)}};
   if (report.detail != FoundDetail::none) row.push_back({short_number(object.number)});
-  if (report.detail != FoundDetail::hit) return row;
+  if (!has_vectors(report.detail)) return row;
   row.push_back({short_numbers(object.point)});
   row.push_back({short_numbers(object.normal)});
   return row;

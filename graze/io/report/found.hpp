@@ -17,8 +17,10 @@ namespace graze::io {
 /// What is reported for each object in addition to its name and type.
 enum class FoundDetail {
   none,
-  distance,  ///< `number` is the distance from a point.
+  distance,  ///< `number` is the distance from a point or a shape.
   hit,       ///< `number` is the t of a ray, `point` the hit point, `normal` the outward normal of the object there.
+  impact,    ///< The same of a shape that moves; `normal` points into the object.
+  contact,   ///< `number` is the depth of a contact point, `normal` points into the object; one row for each point.
 };
 
 /// One object, by name and type. Vectors have as many coordinates as the scene has dimensions.

@@ -20,15 +20,17 @@ namespace graze::detail {
 template <Dim N>
 class RestOfPath {
  public:
-  explicit RestOfPath(const Path<N>& path) : origin_(path.origin), far_(path.far), t_max_(path.t_max) {
+  /// The direction is scaled to a largest coordinate of 1, so that the bound of slopes is far below it.
+  explicit RestOfPath(const Path<N>& path) : origin_(path.origin), far_(path.far), scale_(max_abs(path.direction)) {
     for (Dim i = 0; i < N; ++i) {
-      const double slope = path.direction[i];
+      const double slope = path.direction[i] / scale_;
       inverse_[i] = std::fabs(slope) > least_slope ? 1 / slope : 1 / least_slope;
     }
+    end_at(path.t_max);
   }
 
   /// Ends the path at t.
-  void end_at(double t) { t_max_ = t; }
+  void end_at(double t) { t_max_ = t * scale_; }
 
   template <class T>
   bool operator()(const Aabb<N, T>& box) const {
@@ -58,7 +60,8 @@ class RestOfPath {
   Vec<N, double> origin_;
   Vec<N, double> inverse_;
   double far_;
-  double t_max_;
+  double scale_;
+  double t_max_;  // where the path ends, along the scaled direction
 };
 
 /// For `visit_parts`: boxes by the place of their centers along a direction.

@@ -48,6 +48,31 @@ class Query(CommandLineTest):
         self.assertEqual(self.names(scene, "--sphere", "0,5,2.5"), ["lamp"])
         self.assertEqual(self.names(scene, "--sphere", "0,5,2.4"), [])
 
+    def test_shapes_that_move_touch_or_are_near(self):
+        scene = self.yard()
+        self.assertEqual(self.query(scene, "--cast", "lamp", "--motion", "0,-10", "--first")["found"],
+                         [{"name": "crate", "type": "aabb", "t": 0.55, "point": [0, 2], "normal": [0, -1]}])
+        self.assertEqual(self.names(scene, "--cast", "lamp", "--motion", "0,-10"), ["crate", "ground"])
+        ball = json.dumps({"type": "sphere", "center": [-5, 1], "radius": 1})
+        self.assertEqual(self.query(scene, "--contacts-with", ball)["found"],
+                         [{"name": "ground", "type": "aabb", "depth": 0, "point": [-5, 0], "normal": [0, -1]}])
+        crate = self.query(scene, "--contacts-with", "crate")["found"]
+        self.assertEqual([(found["name"], found["depth"]) for found in crate], [("ground", 0), ("ground", 0), ("ball", 0.5)])
+        self.assertEqual(self.query(scene, "--nearest-to", "lamp")["found"],
+                         [{"name": "crate", "type": "aabb", "distance": 5.5}])
+        self.assertEqual(self.names(scene, "--nearest-to", ball, "--nearest", "2"), ["ground", "crate"])
+        text, _ = self.succeed("query", "--format", "csv", scene, "--contacts-with", ball)
+        self.assertEqual(text, "name,type,depth,x,y,normal_x,normal_y\nground,aabb,0,-5,0,0,-1\n")
+
+    def test_shapes_that_are_none_are_named(self):
+        scene = self.yard()
+        self.wrong('--cast "lamb" is no object of the scene', scene, "--cast", "lamb", "--motion", "1,0")
+        self.wrong('did you mean "lamp"', scene, "--nearest-to", "lamb")
+        self.wrong("--cast needs --motion", scene, "--cast", "lamp")
+        self.wrong("--motion needs --cast", scene, "--point", "0,0", "--motion", "1,0")
+        self.wrong("--contacts-with: line 1, column 2:", scene, "--contacts-with", "{]")
+        self.wrong("radius", scene, "--contacts-with", '{"type": "sphere", "center": [0, 0], "radius": -1}')
+
     def test_in_space_and_on_a_layer(self):
         room = self.write("room.json", ROOM)
         self.assertEqual(self.names(room, "--ray", "0,0,20,0,0,-2"), ["lamp", "ball", "floor"])
@@ -75,7 +100,7 @@ class Query(CommandLineTest):
         scene = self.yard()
         self.wrong("no query is given", scene)
         self.wrong("several queries", scene, "--point", "0,0", "--box", "0,0,1,1")
-        self.wrong("--nearest needs --point", scene, "--box", "0,0,1,1", "--nearest", "3")
+        self.wrong("--nearest needs --point or --nearest-to", scene, "--box", "0,0,1,1", "--nearest", "3")
         for count in ("-3", "0"):
             self.wrong(f"--nearest is {count}; it must be 1 or more", scene, "--point", "0,0", "--nearest", count)
         self.wrong("--t-max needs --ray", scene, "--point", "0,0", "--t-max", "3")

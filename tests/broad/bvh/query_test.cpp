@@ -387,15 +387,16 @@ void check_swept_boxes() {
     const double limit = expected[expected.size() / 2].first;
     std::vector<std::pair<double, std::uint32_t>> all;
     std::vector<std::pair<double, std::uint32_t>> up_to_limit;
-    const auto into = [&](auto& list, double most) {
-      return [&list, &sweep, &tree, most](const BvhName& name) {
-        list.emplace_back(sweep.entry(tree.box(name.slot)).value_or(-1), name.slot);
+    const auto into = [](auto& list, double most) {
+      return [&list, most](const BvhName& name, double t) {
+        list.emplace_back(t, name.slot);
         return most;
       };
     };
-    visit_swept(tree, sweep, into(all, 1.0));
+    const auto entry = [&sweep](const Aabb<N, T>& box) { return sweep.entry(box); };
+    visit_swept(tree, sweep, entry, into(all, 1.0));
     EXPECT_EQ(all, expected);
-    visit_swept(tree, sweep, into(up_to_limit, limit));
+    visit_swept(tree, sweep, entry, into(up_to_limit, limit));
     std::erase_if(expected, [limit](const auto& each) { return each.first > limit; });
     EXPECT_EQ(up_to_limit, expected);
   }
@@ -407,7 +408,8 @@ TEST(BvhQuery, VisitsWhatAMovingBoxMayTouchInOrder) {
   check_swept_boxes<2, double>();
   check_swept_boxes<3, double>();
   const SweptBox<2> sweep = swept_box_of(Aabb<2>{}, Vec<2>(1, 0));
-  visit_swept(BvhTree<2, float>(0), sweep, [](const BvhName&) -> double {
+  const auto entry = [&sweep](const Aabb<2>& box) { return sweep.entry(box); };
+  visit_swept(BvhTree<2, float>(0), sweep, entry, [](const BvhName&, double) -> double {
     ADD_FAILURE();
     return 0;
   });

@@ -74,11 +74,13 @@ TYPED_TEST(CellWalk, GoesAlongARayInOrderUntilItIsToldToStop) {
   const auto cells = lattice<TypeParam>();
   const Ray<2> ray{{-3, 7.25F}, {2, 0}};
   std::size_t visits = 0;
-  visit_cells_along(cells, ray, [&visits](std::uint32_t slot, double t) {
-    EXPECT_EQ(slot, 700 + visits);
-    EXPECT_EQ(t, (3 + static_cast<double>(visits)) / 2);
-    return ++visits < 50;
-  });
+  visit_cells_along(
+      cells, [&ray](const auto& box) { return entry_of(ray, box); },
+      [&visits](std::uint32_t slot, double t) {
+        EXPECT_EQ(slot, 700 + visits);
+        EXPECT_EQ(t, (3 + static_cast<double>(visits)) / 2);
+        return ++visits < 50;
+      });
   EXPECT_EQ(visits, 50U);
 }
 

@@ -52,7 +52,7 @@ TEST(LogLineReader, ReadsEveryKindOfCall) {
           R"({"call": "ray_cast_all", "shape": {"type": "ray", "origin": [0, 1], "direction": [1, 0]}})",
           R"({"call": "shape_cast", "shape": {"type": "point", "position": [0, 1]}, "motion": [3, -0.5], "layers": 3})",
           R"({"call": "shape_cast_all", "shape": {"type": "point", "position": [0, 1]}, "motion": [3, 0], )"
-          R"("except": [[0, 1], null]})",
+          R"("except": [[0, 1], null], "ignore_initial_touch": true})",
           R"({"call": "time_of_impact", "shape": {"type": "point", "position": [0, 1]}, "motion": [3, 0], )"
           R"("angular": -1.5, "center": [0, 1]})",
           R"({"call": "contacts_with", "shape": {"type": "point", "position": [0, 1]}, "layers": 0})",

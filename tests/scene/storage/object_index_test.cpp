@@ -89,7 +89,7 @@ TEST(ObjectIndex, FindsTheSameWhetherMuchOrLittleHasChanged) {
   for (std::uint32_t k = 50; k < count; ++k) world.set(k, std::nullopt);
   EXPECT_EQ(world.in(everywhere).size(), 49U);
   EXPECT_EQ(world.index.over(world.slots).size(), 49U);
-  EXPECT_EQ(world.index.over(world.slots).nearest({4, 3}, 2).front().key.index, 7U);
+  EXPECT_EQ(world.index.over(world.slots).nearest({{4, 3}, {4, 3}}, 2).front().key.index, 7U);
 }
 
 TEST(ObjectIndex, VisitsWhatAMovingBoxMayTouchInOrder) {
