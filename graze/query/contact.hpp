@@ -266,9 +266,11 @@ bool has_nan(const S& shape) {
   }
 }
 
-/// For shapes that do not meet but are up to `margin` apart: with their distance as a negative depth.
+/// For shapes that do not meet but are up to `margin` apart: with their distance as a negative depth. Not inlined, so
+/// that it costs calls without a margin nothing; likewise what calls it.
 template <class A, class B>
-std::optional<Penetration<dimension_of<A>>> penetration_of_near(const A& a, const B& b, double margin) {
+[[gnu::noinline]] std::optional<Penetration<dimension_of<A>>> penetration_of_near(const A& a, const B& b,
+                                                                                  double margin) {
   if (!(margin > 0) || has_nan(a) || has_nan(b)) return std::nullopt;
   const Proximity<dimension_of<A>, double> near = proximity(a, b);
   if (!(near.distance <= margin) || std::isinf(near.distance)) return std::nullopt;
@@ -279,7 +281,7 @@ std::optional<Penetration<dimension_of<A>>> penetration_of_near(const A& a, cons
 template <class A, class B>
 std::optional<Penetration<dimension_of<A>>> penetration_within(const A& a, const B& b, double margin) {
   auto found = penetration(a, b);
-  if (!found) found = penetration_of_near(a, b, margin);
+  if (!found && margin > 0) found = penetration_of_near(a, b, margin);
   return found;
 }
 

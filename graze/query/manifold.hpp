@@ -150,7 +150,7 @@ template <class A, class B>
 /// For two simple shapes that meet or are up to `margin` apart: from their faces in any case, so that the points change
 /// continuously as a gap closes.
 template <class A, class B>
-std::optional<WideManifold<dimension_of<A>>> manifold_within(const A& a, const B& b, double margin) {
+[[gnu::noinline]] std::optional<WideManifold<dimension_of<A>>> manifold_within(const A& a, const B& b, double margin) {
   const bool are_in_range = are_usual(a, b, Vec<dimension_of<A>, double>(margin));
   if (!are_in_range) {
     if (const auto rescaled = manifold_in_range(a, b, margin)) return *rescaled;

@@ -114,14 +114,14 @@ template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_up_to(const A& a, const Vec<dimension_of<A>, double>& motion,
                                                        const B& b, double target) {
   auto found = cast_hit_in_any_order(a, motion, b, target);
-  if (found) found->depth = 0 - target;
+  if (found && target > 0) found->depth = -target;
   return found;
 }
 
 /// For two simple shapes; not for a touch that is not approached. While convex shapes translate, they touch only once.
 template <class A, class B>
-std::optional<CastHit<dimension_of<A>>> cast_hit_approached(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                            const B& b, double target) {
+[[gnu::noinline]] std::optional<CastHit<dimension_of<A>>> cast_hit_approached(
+    const A& a, const Vec<dimension_of<A>, double>& motion, const B& b, double target) {
   const auto start = penetration_within(a, b, target);
   auto found = start ? cast_hit_at_start(*start) : cast_hit_up_to(a, motion, b, target);
   if (found && !is_approached(a, motion, b, target, *found)) found.reset();
@@ -148,8 +148,8 @@ std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension
     if (!are_usual(a, b, motion, Vec<dimension_of<A>, double>(target))) {
       if (const auto rescaled = cast_hit_in_range(a, motion, b, options)) return *rescaled;
     }
-    return options.ignore_initial_touch ? cast_hit_approached(a, motion, b, target)
-                                        : cast_hit_up_to(a, motion, b, target);
+    if (options.ignore_initial_touch) return cast_hit_approached(a, motion, b, target);
+    return cast_hit_up_to(a, motion, b, target);
   }
 }
 

@@ -18,7 +18,7 @@ _graze() {
   case "$command" in
     check) words='-h --help --format --interior --contacts --within --svg --html --output --fail-on-contact --strict' ;;
     view) words='-h --help --html --strict' ;;
-    query) words='-h --help --log --point --nearest --box --sphere --ray --t-max --first --layer --format --output --strict' ;;
+    query) words='-h --help --log --point --nearest --box --sphere --ray --t-max --cast --motion --contacts-with --nearest-to --first --layer --format --output --strict' ;;
     simulate) words='-h --help --frames --seconds-per-frame --output --log --strict' ;;
     replay) words='-h --help --shrink --format --output' ;;
     info) words='-h --help --format --strict' ;;
