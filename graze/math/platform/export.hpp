@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // GRAZE_EXPORT marks what the shared library exports: the public functions and classes that are compiled, and the few
-// internal ones that its headers call. Everything else is hidden. The CMake target graze::graze defines GRAZE_SHARED for
-// its users if it is a shared library, and GRAZE_BUILDS_SHARED for itself.
+// internal ones that its headers call. Everything else is hidden. If the CMake target graze::graze is a shared library,
+// it defines GRAZE_SHARED for its users, and GRAZE_BUILDS_SHARED for itself.
 #pragma once
 
 #if !defined(GRAZE_SHARED)
