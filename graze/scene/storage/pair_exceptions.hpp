@@ -19,10 +19,7 @@ class PairExceptions {
   bool contains(std::uint32_t a, std::uint32_t b) const { return !pairs_.empty() && pairs_.contains({a, b}); }
 
   /// Whether the slot is in any pair.
-  bool has_any(std::uint32_t slot) const {
-    const auto first = pairs_.lower_bound({slot, 0});
-    return first != pairs_.end() && first->a == slot;
-  }
+  bool has_any(std::uint32_t slot) const { return is_of(slot, first_of(slot)); }
 
   /// Adds a pair of two different slots. If it throws, nothing has changed.
   void add(std::uint32_t a, std::uint32_t b) {
@@ -44,10 +41,9 @@ class PairExceptions {
   /// Removes all pairs of a slot, and calls visit(other slot) after each.
   template <class Visit>
   void remove_all_of(std::uint32_t slot, const Visit& visit) {
-    for (auto next = pairs_.lower_bound({slot, 0}); next != pairs_.end() && next->a == slot;) {
-      const std::uint32_t other = next->b;
-      next = pairs_.erase(next);
-      pairs_.erase({other, slot});
+    for (auto first = first_of(slot); is_of(slot, first); first = first_of(slot)) {
+      const std::uint32_t other = first->b;
+      remove(slot, other);
       visit(other);
     }
   }
@@ -63,6 +59,11 @@ class PairExceptions {
   }
 
  private:
+  std::set<Pair>::const_iterator first_of(std::uint32_t slot) const { return pairs_.lower_bound({slot, 0}); }
+  bool is_of(std::uint32_t slot, std::set<Pair>::const_iterator place) const {
+    return place != pairs_.end() && place->a == slot;
+  }
+
   std::set<Pair> pairs_;
 };
 
