@@ -33,13 +33,17 @@ std::vector<std::size_t> ask(I index) {
     return hits.size() < 3;
   });
 
+  // So does a box that moves: here up, from below all of them.
+  std::size_t in_the_way = 0;
+  index.cast(Box{{8, -9}, {10, -8}}, {0, 20}, [&in_the_way](graze::Key, double) { ++in_the_way; });
+
   const graze::Neighbour nearest = index.nearest({28, 28}, 1).front();
   std::size_t pairs = 0;
   index.pairs([&pairs](graze::Key, graze::Key) { ++pairs; });
   std::printf("%zu boxes in the ball, the third hit at t = %g, box %u is nearest, %zu pairs\n", in_ball, hits[2].second,
               nearest.key.index, pairs);
   const bool knows_keys = index.contains(keys[0]) && !index.contains(keys[99]) && index.box(keys[0]).min.x == 2;
-  return {in_ball, hits[2].first.index, nearest.key.index, pairs, knows_keys ? index.size() : 0};
+  return {in_ball, hits[2].first.index, in_the_way, nearest.key.index, pairs, knows_keys ? index.size() : 0};
 }
 
 /// The number of cells of an index, which can be drawn.

@@ -30,6 +30,8 @@ int main() {
     std::printf("the ray enters box %u at t = %g\n", key.index, t);
     return t < 2;
   });
+  index.cast(graze::Aabb<2>{{-9, 0}, {-8, 1}}, {7.75F, 0},
+             [](graze::Key key, double t) { std::printf("the moving box touches box %u at t = %g\n", key.index, t); });
   const graze::Key last = index.nearest({120, 0}, 1).front().key;
   index.update(last, graze::Aabb<2>::from_center({200, 0}, {1, 1}));
   std::size_t ahead = 0;

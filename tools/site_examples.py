@@ -17,6 +17,7 @@ WITHOUT_EXAMPLE = {
     "graze::io::read_json_scene",  # takes a document that read_scene has parsed
     "graze::io::ShapeNumbers::of",  # behind with_numbers
     "graze::finite_magnitude",
+    "graze::Parts::edit",  # the other members are those of std::vector
 }
 
 # Classes that have the calls of another one, whose examples show them.

@@ -34,6 +34,10 @@ int main(int argc, char** argv) {
     std::printf("the arm swings: %s hits %s\n", yard.object(a).name.c_str(), yard.object(b).name.c_str());
   }
 
+  std::printf("%zu pairs are excepted", yard.excepted_pairs().size());
+  yard.accept(boom, arm);  // the arm comes off
+  std::printf("; then %s\n", yard.excepted(arm, boom) ? "the joint is" : "the joint is no more");
+
   cookbook::Picture<2> picture("a crane and its load");
   for (const graze::ObjectId id : yard.ids()) {
     const bool is_hit = id == arm || yard.object(id).name == "load";

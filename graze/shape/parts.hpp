@@ -29,10 +29,12 @@ const PartTree<N, T>* tree_of(const Parts<N, T>& parts);
 /// The parts of a compound: a std::vector that also keeps the tree by which queries find parts, if `compound_of` has
 /// built one. Copies share the tree. Every function that could change a part, including non-const access to one, drops
 /// the tree for good, so that it always belongs to the parts; then queries test all of them, with the same answers. So
-/// read the parts of a compound through a const reference, or std::as_const.
+/// read the parts of a compound through a const reference, or std::as_const. The members that are not listed in the
+/// reference are those of std::vector.
 template <Dim N, class T = float>
 class Parts {
  public:
+  /// @cond as in std::vector
   using value_type = Part<N, T>;
   using size_type = std::size_t;
   using difference_type = std::ptrdiff_t;
@@ -42,8 +44,10 @@ class Parts {
   using const_iterator = typename std::vector<Part<N, T>>::const_iterator;
 
   Parts() = default;
+  /// @endcond
   /// From parts with their boxes, without a tree.
   Parts(std::vector<Part<N, T>> list) : list_(std::move(list)) {}
+  /// @cond as in std::vector
   Parts(std::initializer_list<Part<N, T>> list) : list_(list) {}
   Parts(const Parts& other) : list_(other.list_), tree_(shared(other.tree_)) {}
   Parts(Parts&& other) noexcept = default;
@@ -63,6 +67,8 @@ class Parts {
   const_iterator end() const { return list_.end(); }
   const_iterator cbegin() const { return list_.cbegin(); }
   const_iterator cend() const { return list_.cend(); }
+  /// @endcond
+
   /// The parts as a vector, to read.
   operator const std::vector<Part<N, T>>&() const { return list_; }
 
@@ -71,6 +77,7 @@ class Parts {
     tree_.reset();
     return list_;
   }
+  /// @cond as in std::vector
   Part<N, T>& operator[](std::size_t index) { return edit()[index]; }
   Part<N, T>& at(std::size_t index) { return edit().at(index); }
   Part<N, T>& front() { return edit().front(); }
@@ -91,6 +98,7 @@ class Parts {
   iterator erase(const Places&... places) {
     return edit().erase(places...);
   }
+  /// @endcond
 
  private:
   using Tree = std::shared_ptr<const detail::PartTree<N, T>>;
