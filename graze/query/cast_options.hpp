@@ -12,6 +12,8 @@ struct CastOptions {
   bool ignore_initial_touch = false;
   /// The cast stops when the shapes are this near: a length, at least zero. Zero: when they touch.
   double target_distance = 0;
+
+  friend bool operator==(const CastOptions&, const CastOptions&) = default;
 };
 
 }  // namespace graze

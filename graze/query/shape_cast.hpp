@@ -55,6 +55,7 @@
 
 #include <cassert>
 #include <optional>
+#include <type_traits>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -79,9 +80,17 @@ namespace graze {
 
 namespace detail {
 
-template <class A, class B>
+/// The default CastOptions. A type of its own, so that plain casts do not calculate with them.
+struct NoCastOptions {
+  constexpr operator CastOptions() const { return {}; }
+
+  static constexpr NoTarget target_distance{};
+};
+
+/// `Options` is CastOptions or NoCastOptions.
+template <class A, class B, class Options = NoCastOptions>
 std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b,
-                                                 const CastOptions& options = {});
+                                                 const Options& options = {});
 
 /// The impact of shapes that are out of range, if there is one; none for others.
 template <class A, class B>
@@ -97,9 +106,9 @@ auto cast_hit_in_range(const A& a, const Vec<dimension_of<A>, double>& motion, c
 }
 
 /// For two simple shapes that are farther apart than the target.
-template <class A, class B>
+template <class A, class B, class Target>
 std::optional<CastHit<dimension_of<A>>> cast_hit_in_any_order(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                              const B& b, double target) {
+                                                              const B& b, Target target) {
   if constexpr (type_place<A> < type_place<B>) {
     return cast_hit_in_order(a, motion, b, target);
   } else if constexpr (type_place<A> > type_place<B>) {
@@ -129,9 +138,9 @@ template <class A, class B>
 }
 
 /// For a nonzero motion, and for shapes that are farther apart than the target unless the initial touch is ignored.
-template <class A, class B>
+template <class A, class B, class Options>
 std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b,
-                                                 const CastOptions& options) {
+                                                 const Options& options) {
   if constexpr (is_any_shape<A>) {
     return detail::visit([&](const auto& held) { return cast_hit(held, motion, b, options); }, a);
   } else if constexpr (is_any_shape<B>) {
@@ -144,23 +153,27 @@ std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension
                              [&](const auto& part) { return cast_hit(a, motion, part, options); });
   } else {
     if (any_nan(a, b)) return std::nullopt;
-    const double target = options.target_distance;
+    const auto target = options.target_distance;
     if (!are_usual(a, b, motion, Vec<dimension_of<A>, double>(target))) {
       if (const auto rescaled = cast_hit_in_range(a, motion, b, options)) return *rescaled;
     }
-    if (options.ignore_initial_touch) return cast_hit_approached(a, motion, b, target);
-    return cast_hit_up_to(a, motion, b, target);
+    if constexpr (std::is_same_v<Options, NoCastOptions>) {
+      return cast_hit_in_any_order(a, motion, b, target);
+    } else {
+      if (options.ignore_initial_touch) return cast_hit_approached(a, motion, b, target);
+      return cast_hit_up_to(a, motion, b, target);
+    }
   }
 }
 
 /// shape_cast for shapes that need not be valid.
-template <class A, class B>
+template <class A, class B, class Options = NoCastOptions>
 std::optional<Impact<dimension_of<A>, scalar_of<A>>> impact_of(const A& a,
                                                                const Vec<dimension_of<A>, scalar_of<A>>& motion,
-                                                               const B& b, const CastOptions& options = {}) {
+                                                               const B& b, const Options& options = {}) {
   using T = scalar_of<A>;
   if (!is_finite(motion)) return std::nullopt;
-  if (!options.ignore_initial_touch) {
+  if (!CastOptions(options).ignore_initial_touch) {
     const auto contact = penetration_within(a, b, options.target_distance);
     if (contact) return rounded_impact<T>(cast_hit_at_start(*contact));
   }
@@ -193,6 +206,7 @@ std::optional<Impact<dimension_of<A>, scalar_of<A>>> shape_cast(const A& a,
                                                                 const Vec<dimension_of<A>, scalar_of<A>>& motion,
                                                                 const B& b, CastOptions options) {
   assert(detail::is_valid_if_known(a) && detail::is_valid_if_known(b) && options.target_distance >= 0);
+  if (options == CastOptions{}) return detail::impact_of(a, motion, b);
   return detail::impact_of(a, motion, b, options);
 }
 

@@ -25,11 +25,26 @@
 
 namespace graze::detail {
 
+/// The target distance of casts up to the first touch. A type of its own, so that they do not calculate with it.
+struct NoTarget {
+  constexpr operator double() const { return 0; }
+};
+
+/// The point at the target distance along a normal.
+template <Dim N>
+Vec<N, double> beyond(const Vec<N, double>& point, const Vec<N, double>& normal, double target) {
+  return point + normal * target;
+}
+template <Dim N>
+Vec<N, double> beyond(const Vec<N, double>& point, const Vec<N, double>&, NoTarget) {
+  return point;
+}
+
 // ---- Planes and half-spaces: the gap along the normal is all that counts, and it shrinks evenly
 
-template <class A, class B>
+template <class A, class B, class Target>
 std::optional<CastHit<dimension_of<A>>> cast_hit_at_half_space(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                               const B& b, double target) {
+                                                               const B& b, Target target) {
   constexpr Dim N = dimension_of<A>;
   const Proximity<N, double> gap = proximity_in_order(a, b, Relation::apart);
   const double approach = dot(gap.normal, motion);
@@ -38,7 +53,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_at_half_space(const A& a, const
   if (!(approach > 0) || way - approach > error) return std::nullopt;
   const double t = std::min(1.0, way / approach);
   const bool moves_with_a = is_plane_or_half_space<B> && !is_plane_or_half_space<A>;
-  const Vec<N, double> point = moves_with_a ? gap.point_a + gap.normal * target + motion * t : gap.point_b;
+  const Vec<N, double> point = moves_with_a ? beyond(gap.point_a, gap.normal, target) + motion * t : gap.point_b;
   return CastHit<N>{t, point, gap.normal, Status::converged, error};
 }
 
@@ -206,9 +221,9 @@ concept HaveZonotopes = HasZonotope<std::decay_t<A>> && HasZonotope<std::decay_t
 
 /// The first touch of two cores, by a ray at the set of their differences, relative to a stored point. The radius of b
 /// includes the target.
-template <class A, class B>
+template <class A, class B, class Target = NoTarget>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_cores(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                          const B& b, const Radii& radii, double target = 0) {
+                                                          const B& b, const Radii& radii, Target target = {}) {
   constexpr Dim N = dimension_of<A>;
   auto hit = hit_of_cores(a, motion, b, radii.a + radii.b);
   if (hit && hit->status != Status::converged) hit = advance_by_features(a, motion, b, radii.a + radii.b, *hit);
@@ -221,9 +236,9 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_cores(const A& a, const Vec<
   return cast_hit;
 }
 
-template <HasSimpleCore A, HasSimpleCore B>
+template <HasSimpleCore A, HasSimpleCore B, class Target>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                           const B& b, double target) {
+                                                           const B& b, Target target) {
   constexpr Dim N = dimension_of<A>;
   const auto& core_a = core(a);
   const auto& core_b = core(b);
@@ -238,7 +253,7 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple(const A& a, const Vec
     if (found.verdict == RayVerdict::hits) cast_hit = found.cast_hit;
   }
   if (!cast_hit) cast_hit = cast_hit_of_cores(local_a, motion, local_b, radii, target);
-  if (cast_hit) cast_hit->point += origin + cast_hit->normal * target;
+  if (cast_hit) cast_hit->point = beyond(cast_hit->point + origin, cast_hit->normal, target);
   return cast_hit;
 }
 
@@ -259,9 +274,9 @@ Vec<N, double> support(const MovedView<N, Number>& moved, const std::type_identi
 template <Dim N>
 inline constexpr double support_error<MovedView<N, float>> = tolerance::convex_in<float>;
 
-template <Convex A, Convex B>
+template <Convex A, Convex B, class Target>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_convex(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                           const B& b, double target) {
+                                                           const B& b, Target target) {
   constexpr Dim N = dimension_of<A>;
   using Number = SupportNumber<A, B>;
   const auto& core_a = core(a);
@@ -276,14 +291,14 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_convex(const A& a, const Vec
   const ConvexCores<N> nearest = closest_of_convex(MovedView<N, Number>{view_a, motion * hit->t},
                                                    MovedView<N, Number>{view_b, Vec<N, double>(0.0)});
   CastHit<N> cast_hit = cast_hit_between(*hit, nearest.closest, motion, radii, target == 0);
-  cast_hit.point += cast_hit.normal * target;
+  cast_hit.point = beyond(cast_hit.point, cast_hit.normal, target);
   return cast_hit;
 }
 
 /// Cuts the ray first.
-template <class A, class B>
+template <class A, class B, class Target>
 std::optional<CastHit<dimension_of<A>>> cast_hit_past_ray(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                          const B& b, double target) {
+                                                          const B& b, Target target) {
   const Vec<dimension_of<A>, double> zero(0.0);
   if constexpr (is_ray<A>) {
     return cast_hit_of_convex(seen_beside_moving(zero, a, b, -motion), motion, b, target);
@@ -296,9 +311,9 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_past_ray(const A& a, const Vec<
 
 // ---- Any two shapes
 
-template <class A, class B>
+template <class A, class B, class Target>
 std::optional<CastHit<dimension_of<A>>> cast_hit_in_order(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                          const B& b, double target);
+                                                          const B& b, Target target);
 
 /// Two rays come as near as the target at the origin of one of them, or in 3D between two inner points.
 template <Dim N, class T>
@@ -316,9 +331,9 @@ std::optional<CastHit<N>> near_hit_of_rays(const Ray<N, T>& a, const Vec<N, doub
 }
 
 /// For two simple shapes that are farther apart than the target, in the order of AnyShape. The point is on b.
-template <class A, class B>
+template <class A, class B, class Target>
 std::optional<CastHit<dimension_of<A>>> cast_hit_in_order(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                          const B& b, double target) {
+                                                          const B& b, Target target) {
   constexpr Dim N = dimension_of<A>;
   using T = scalar_of<A>;
   if constexpr (is_plane_or_half_space<B> || is_plane_or_half_space<A>) {
@@ -339,13 +354,13 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_in_order(const A& a, const Vec<
 }
 
 /// For b before a: b moves the opposite way past a, and the result is moved along, to the side of b.
-template <class A, class B>
+template <class A, class B, class Target>
 std::optional<CastHit<dimension_of<A>>> exchanged_cast_hit(const A& a, const Vec<dimension_of<A>, double>& motion,
-                                                           const B& b, double target) {
+                                                           const B& b, Target target) {
   auto cast_hit = cast_hit_in_order(b, -motion, a, target);
   if (cast_hit) {
     cast_hit->normal = Vec<dimension_of<A>, double>(0.0) - cast_hit->normal;
-    cast_hit->point += cast_hit->normal * target + motion * cast_hit->t;
+    cast_hit->point = beyond(cast_hit->point, cast_hit->normal, target) + motion * cast_hit->t;
   }
   return cast_hit;
 }

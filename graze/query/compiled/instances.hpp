@@ -62,7 +62,11 @@
 
 #define GRAZE_SHAPE_CAST_INSTANCES(LINKAGE, N, T)                                                               \
   LINKAGE template GRAZE_EXPORT std::optional<detail::CastHit<N>> detail::cast_hit(                             \
+      const AnyShape<N, T>&, const Vec<N, double>&, const AnyShape<N, T>&, const detail::NoCastOptions&);       \
+  LINKAGE template GRAZE_EXPORT std::optional<detail::CastHit<N>> detail::cast_hit(                             \
       const AnyShape<N, T>&, const Vec<N, double>&, const AnyShape<N, T>&, const CastOptions&);                 \
+  LINKAGE template GRAZE_EXPORT std::optional<Impact<N, T>> detail::impact_of(                                  \
+      const AnyShape<N, T>&, const Vec<N, T>&, const AnyShape<N, T>&, const detail::NoCastOptions&);            \
   LINKAGE template GRAZE_EXPORT std::optional<Impact<N, T>> detail::impact_of(                                  \
       const AnyShape<N, T>&, const Vec<N, T>&, const AnyShape<N, T>&, const CastOptions&);                      \
   LINKAGE template GRAZE_EXPORT std::optional<Impact<N, T>> shape_cast(const AnyShape<N, T>&, const Vec<N, T>&, \
