@@ -223,13 +223,27 @@ Aabb<dimension_of<S>, scalar_of<S>> bounds(const Posed<S>& posed) {
 }
 
 namespace detail {
+/// The largest finite coordinate of an unbounded box.
+template <Dim N, class T>
+[[gnu::noinline]] T size_of_unbounded(const Aabb<N, T>& box) {
+  T size = 0;
+  for (Dim i = 0; i < N; ++i) {
+    size = std::max(size, std::max(finite_magnitude(box.min[i]), finite_magnitude(box.max[i])));
+  }
+  return size;
+}
+
+/// The largest finite coordinate of a box.
+template <Dim N, class T>
+T size_of_box(const Aabb<N, T>& box) {
+  const T size = std::max(max_abs(box.min), max_abs(box.max));
+  return size <= std::numeric_limits<T>::max() ? size : size_of_unbounded(box);
+}
+
 /// Grows a box as touching_bounds does, and returns the largest of its finite coordinates before.
 template <Dim N, class T>
 T grow_by_slack(Aabb<N, T>& box) {
-  T size = 0;
-  for (Dim i = 0; i < N; ++i) {
-    size = std::max({size, finite_magnitude(box.min[i]), finite_magnitude(box.max[i])});
-  }
+  const T size = size_of_box(box);
   const double slack = tolerance::box_slack * static_cast<double>(size);
   for (Dim i = 0; i < N; ++i) {
     box.min[i] = round_down<T>(static_cast<double>(box.min[i]) - slack);

@@ -344,7 +344,7 @@ Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S&
   const Aabb<N, T> box = touching_bounds(shape);
   NearestPart<N> best;
   const MayBeNearest<N, T> may_be_nearest{box, best};
-  visit_parts(compound, may_be_nearest, NearBox<N, T>{box}, [&](const Part<N, T>& part, std::size_t index) {
+  visit_parts(compound, may_be_nearest, ByKey(), [&](const Part<N, T>& part, std::size_t index) {
     if (!best.is_decided_before(index)) best.add(proximity(part.shape, shape), index);
     return true;
   });

@@ -322,12 +322,7 @@ bool is_held(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
 /// from any part exceeds the difference.
 template <Dim N, class T>
 double forgiven_outside(const Aabb<N, T>& box, const Vec<N, T>& point) {
-  double largest = static_cast<double>(max_abs(point));
-  for (Dim i = 0; i < N; ++i) {
-    for (const T side : {box.min[i], box.max[i]}) {
-      if (std::isfinite(side)) largest = std::max(largest, std::fabs(static_cast<double>(side)));
-    }
-  }
+  const double largest = static_cast<double>(std::max(max_abs(point), size_of_box(box)));
   return (tolerance::surface<T> + tolerance::box_slack) * largest;
 }
 
@@ -337,7 +332,8 @@ struct MayBeNear {
   bool operator()(const Aabb<N, T>& box) const {
     return !is_farther(distance_squared(point, box), distance + forgiven_outside(box, point));
   }
-  bool operator()(const Part<N, T>& part) const { return (*this)(part.box) || is_hidden_by_box(part); }
+  /// In one function, as may_part_touch is.
+  [[gnu::flatten]] bool operator()(const Part<N, T>& part) const { return (*this)(part.box) || is_hidden_by_box(part); }
 
   Vec<N, T> point;
   double distance = 0;

@@ -3,12 +3,13 @@
 /// distance_squared(a, b): the squared distance of points, segments, boxes and triangles, 0 if they touch or overlap,
 /// in double. Cheaper than `distance`, because it takes no square root. The error of its root is a few epsilon of the
 /// vectors between and along the two shapes, however far from the origin. These vectors must be zero or 1e-130 to 1e150
-/// long. Between points, and from points to axis-aligned boxes, any length is allowed: a square that overflows is
-/// infinite, one below half the least positive double is 0. `distance` accepts shapes of any size.
+/// long. Between points and axis-aligned boxes any length is allowed: a square that overflows is infinite, one below
+/// half the least positive double is 0. `distance` accepts shapes of any size.
 ///
 ///                point    segment   aabb     obb      triangle
 ///     point      closed   closed    closed   closed   closed
 ///     segment             closed    closed   closed   closed
+///     aabb                          closed
 #pragma once
 
 #include <algorithm>
@@ -111,17 +112,23 @@ double distance_squared(const Segment<N, T>& a, const Segment<N, T>& b) {
   return std::min({from_a, from_b, inside});
 }
 
-/// The squared distance of a point from a box; exactly 0 if the box contains the point.
+/// The squared distance of two axis-aligned boxes.
 template <Dim N, class T>
-double distance_squared(const Vec<N, T>& point, const Aabb<N, T>& box) {
+double distance_squared(const Aabb<N, T>& a, const Aabb<N, T>& b) {
   double sum = 0;
   for (Dim i = 0; i < N; ++i) {
-    const double below = static_cast<double>(box.min[i]) - static_cast<double>(point[i]);
-    const double above = static_cast<double>(point[i]) - static_cast<double>(box.max[i]);
-    const double outside = std::max({below, above, 0.0});
+    const double below = static_cast<double>(b.min[i]) - static_cast<double>(a.max[i]);
+    const double above = static_cast<double>(a.min[i]) - static_cast<double>(b.max[i]);
+    const double outside = std::max(std::max(below, above), 0.0);  // of a list, GCC would compare with branches
     sum += outside * outside;
   }
   return sum;
+}
+
+/// The squared distance of a point from a box; exactly 0 if the box contains the point.
+template <Dim N, class T>
+double distance_squared(const Vec<N, T>& point, const Aabb<N, T>& box) {
+  return distance_squared(Aabb<N, T>{point, point}, box);
 }
 
 namespace detail {

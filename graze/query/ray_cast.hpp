@@ -137,7 +137,7 @@ std::optional<RayHit<N, T>> first_hit(const Compound<N, T>& compound, const Ray<
     return true;
   };
   if (is_usable(path.direction)) {
-    visit_parts(compound, rest, AlongDirection<N>{path.direction}, visit);
+    visit_parts(compound, rest, ByKey(), visit);
   } else {
     for (std::size_t i = 0; i < compound.parts.size(); ++i) visit(compound.parts[i], i);
   }

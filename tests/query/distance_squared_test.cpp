@@ -55,6 +55,17 @@ TEST(DistanceSquared, OfBoxesIsAsComputedByHand) {
   EXPECT_EQ(distance_squared(Segment<3, double>{{2, 3, 3}, {2, 3, 3}}, box), 9);
 }
 
+TEST(DistanceSquared, OfAxisAlignedBoxesIsAsComputedByHand) {
+  using Box = Aabb<2, float>;
+  const Box box{{-1, -1}, {2, 1}};
+  EXPECT_EQ(distance_squared(box, Box{{5, 5}, {9, 9}}), 25);
+  EXPECT_EQ(distance_squared(Box{{-4, -1}, {-3, 7}}, box), 4);
+  EXPECT_EQ(distance_squared(box, Box{{2, 1}, {9, 9}}), 0);
+  EXPECT_EQ(distance_squared(box, Box{{1, -9}, {1, 9}}), 0);
+  const Vec<2, float> point(7, -3);
+  EXPECT_EQ(distance_squared(box, Box{point, point}), distance_squared(point, box));
+}
+
 TEST(DistanceSquared, OfTrianglesIsAsComputedByHand) {
   using V3 = Vec<3, double>;
   using S3 = Segment<3, double>;

@@ -47,7 +47,7 @@ HWY_INLINE Lanes<double> load_as(Tag<double> d, const float* from) {
   return hn::PromoteTo(d, hn::Load(hn::Rebind<float, Tag<double>>(), from));
 }
 
-/// The squared distances from a box to boxes of a node, calculated in `To` by the operations of box_distance_squared.
+/// The squared distances from a box to boxes of a node, calculated in `To` by the operations of distance_squared.
 template <class To, Dim N, class T>
 HWY_INLINE Lanes<To> distances_from(const Aabb<N, T>& from, const BvhNode<N, T>& node, std::uint32_t lane) {
   const Tag<To> d;
@@ -110,7 +110,7 @@ HWY_INLINE std::uint32_t ranked_within(const NearChildren<N, T>& children, T lim
   return within;
 }
 
-/// The squared distances from a box to the boxes of a leaf node, bit-identical to box_distance_squared; infinite for
+/// The squared distances from a box to the boxes of a leaf node, bit-identical to distance_squared; infinite for
 /// lanes without a box.
 struct NearBoxes {
   alignas(64) double distances[block_size];

@@ -2,7 +2,6 @@
 // Walks of a BvhTree.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <compare>
@@ -18,6 +17,7 @@
 #include <graze/broad/memory/short_list.hpp>
 #include <graze/broad/spatial_index.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/distance_squared.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/ray.hpp>
 
@@ -210,25 +210,12 @@ void visit_swept(const BvhTree<N, T>& tree, const SweptBox<N>& sweep, const Time
   }
 }
 
-/// The squared distance of two boxes; 0 if they share a point.
-template <Dim N, class T>
-double box_distance_squared(const Aabb<N, T>& a, const Aabb<N, T>& b) {
-  double sum = 0;
-  for (Dim i = 0; i < N; ++i) {
-    const double below = static_cast<double>(b.min[i]) - static_cast<double>(a.max[i]);
-    const double above = static_cast<double>(a.min[i]) - static_cast<double>(b.max[i]);
-    const double outside = std::max({below, above, 0.0});
-    sum += outside * outside;
-  }
-  return sum;
-}
-
 /// Offers the boxes near a box to `nearest`, by keys without an owner, until the rest is beyond its reach. Returns the
 /// number of nodes visited.
 template <Dim N, class T>
 std::size_t find_near(const BvhTree<N, T>& tree, const Aabb<N, T>& from, NearestKeys& nearest) {
   for (const BvhName& name : tree.infinite()) {
-    nearest.offer({{name.slot, name.generation, 0}, box_distance_squared(from, tree.box(name.slot))});
+    nearest.offer({{name.slot, name.generation, 0}, distance_squared(from, tree.box(name.slot))});
   }
   if (tree.root().is_none()) return 0;
   return bvh_kernels<N, T>().find_near(tree.nodes(), tree.root(), from, nearest);

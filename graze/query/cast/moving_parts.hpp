@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
-#include <graze/math/rounding.hpp>
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
@@ -28,16 +28,6 @@ Aabb<N, double> box_swept_by(const Aabb<N, T>& box, const Vec<N, double>& motion
   return swept;
 }
 
-/// The largest finite coordinate of a box.
-template <Dim N, class T>
-double size_of_box(const Aabb<N, T>& box) {
-  T size = 0;
-  for (Dim i = 0; i < N; ++i) {
-    size = std::max({size, finite_magnitude(box.min[i]), finite_magnitude(box.max[i])});
-  }
-  return static_cast<double>(size);
-}
-
 /// For `visit_parts`: whether what moves by `motion` may come as near as `distance` to a fixed box, the target, which
 /// is grown as by touching_bounds.
 template <Dim N, class T>
@@ -46,7 +36,7 @@ class MayReach {
   MayReach(const Vec<N, double>& motion, const Aabb<N, T>& target, double distance)
       : motion_(motion),
         target_{wide<N, T>(target.min) - distance, wide<N, T>(target.max) + distance},
-        size_(size_of_box(target) + distance + sum_abs(motion)),
+        size_(static_cast<double>(size_of_box(target)) + distance + sum_abs(motion)),
         is_target_bounded_(is_bounded(target)),
         line_(Path<N>{Vec<N, double>(0.0), motion, 1}) {}
 
@@ -56,15 +46,20 @@ class MayReach {
     line_.end_at(t);
   }
 
-  /// Whether a box, grown likewise, may touch the target up to the end, or an impact with a part in it may be reported
-  /// up to then: that is early by at most a few times `tolerance::impact`, relative to the sizes and the motion.
-  bool operator()(const Aabb<N, T>& box) const {
+  /// Where the motion brings a box, grown likewise, to the target, up to the end; NaN if it does not. An impact with a
+  /// part in the box may be reported early by at most a few times `tolerance::impact`, relative to the sizes and the
+  /// motion; the key is early by as much.
+  double key(const Aabb<N, T>& box) const {
     const double size = size_ + static_cast<double>(std::max(max_abs(box.min), max_abs(box.max)));  // or infinity
     const double margin = 16 * tolerance::impact * size;
     const Aabb<N, double> target{target_.min - margin, target_.max + margin};
-    if (!boxes_overlap(box_swept_by(box, motion_ * end_), target)) return false;
-    return !(size < 0x1p500) || !is_target_bounded_ || line_(difference_of(target, box));
+    if (!boxes_overlap(box_swept_by(box, motion_ * end_), target)) return std::numeric_limits<double>::quiet_NaN();
+    if (!(size < 0x1p500) || !is_target_bounded_) return 0;
+    return line_.key(difference_of(target, box));
   }
+  bool admits(double key) const { return line_.admits(key); }
+
+  bool operator()(const Aabb<N, T>& box) const { return admits(key(box)); }
   bool operator()(const Part<N, T>& part) const { return (*this)(touching_bounds(part.box)) || is_hidden_by_box(part); }
 
  private:
@@ -98,7 +93,7 @@ std::optional<CastHit<N>> cast_hit_of_parts(const Compound<N, T>& compound, cons
   std::optional<CastHit<N>> best;
   std::size_t best_index = 0;
   MayReach<N, T> may_reach(motion, touching_bounds(shape), distance);
-  visit_parts(compound, may_reach, AlongDirection<N>{-motion}, [&](const Part<N, T>& part, std::size_t index) {
+  visit_parts(compound, may_reach, ByKey(), [&](const Part<N, T>& part, std::size_t index) {
     const std::optional<CastHit<N>> found = cast(part.shape);
     if (!found || (best && !comes_before(*found, index, *best, best_index))) return true;
     best = found;

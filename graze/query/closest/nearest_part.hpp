@@ -8,6 +8,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/distance_squared.hpp>
 #include <graze/query/proximity.hpp>
 #include <graze/query/scaling/range.hpp>
 #include <graze/query/verdict.hpp>
@@ -15,19 +16,6 @@
 #include <graze/shape/any_shape.hpp>
 
 namespace graze::detail {
-
-/// The squared distance of two boxes; it may overflow or underflow.
-template <Dim N, class T>
-double gap_squared(const Aabb<N, T>& a, const Aabb<N, T>& b) {
-  double squared = 0;
-  for (Dim i = 0; i < N; ++i) {
-    const double above = static_cast<double>(a.min[i]) - static_cast<double>(b.max[i]);
-    const double below = static_cast<double>(b.min[i]) - static_cast<double>(a.max[i]);
-    const double gap = std::max({above, below, 0.0});
-    squared += gap * gap;
-  }
-  return squared;
-}
 
 /// A candidate that is apart is never as near as one that meets, even if its distance underflows.
 template <Dim N>
@@ -72,10 +60,14 @@ class NearestPart {
 /// For `visit_parts`: whether a part may be as near to a box, grown as by touching_bounds, as the nearest so far.
 template <Dim N, class T>
 struct MayBeNearest {
-  bool operator()(const Aabb<N, T>& grown) const {
-    return !is_farther(gap_squared(grown, box), best.nearest().distance);
+  double key(const Aabb<N, T>& grown) const { return distance_squared(grown, box); }
+  bool admits(double key) const { return !is_farther(key, best.nearest().distance); }
+
+  bool operator()(const Aabb<N, T>& grown) const { return admits(key(grown)); }
+  /// In one function, as may_part_touch is.
+  [[gnu::flatten]] bool operator()(const Part<N, T>& part) const {
+    return (*this)(touching_bounds(part.box)) || is_hidden_by_box(part);
   }
-  bool operator()(const Part<N, T>& part) const { return (*this)(touching_bounds(part.box)) || is_hidden_by_box(part); }
 
   const Aabb<N, T>& box;
   const NearestPart<N>& best;
@@ -84,7 +76,7 @@ struct MayBeNearest {
 /// For `visit_parts`: boxes by their distance from another.
 template <Dim N, class T>
 struct NearBox {
-  double operator()(const Aabb<N, T>& other) const { return gap_squared(other, box); }
+  double operator()(const Aabb<N, T>& other) const { return distance_squared(other, box); }
 
   const Aabb<N, T>& box;
 };

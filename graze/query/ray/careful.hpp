@@ -237,7 +237,7 @@ RayFinding<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RayS
   RayFinding<N> best = missed<N>();
   FirstPart first;
   RestOfPath<N> rest(path);
-  visit_parts(compound, rest, AlongDirection<N>{path.direction}, [&](const Part<N, T>& part, std::size_t index) {
+  visit_parts(compound, rest, ByKey(), [&](const Part<N, T>& part, std::size_t index) {
     const RayFinding<N> found = find_hit(part.shape, path, side, ask);
     const double t = side == RaySide::entry ? found.hit.t : -found.hit.t;
     if (found.verdict == RayVerdict::misses || !first.is_replaced_by(t, index)) return true;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -32,23 +33,19 @@ class RestOfPath {
   /// Ends the path at t.
   void end_at(double t) { t_max_ = t * scale_; }
 
+  /// Where the path enters a box, along the scaled direction; NaN if it passes the box by.
+  template <class T>
+  double key(const Aabb<N, T>& box) const {
+    const Ends within = ends_in(box, std::numeric_limits<double>::infinity());
+    return within.enter <= within.leave ? within.enter : std::numeric_limits<double>::quiet_NaN();
+  }
+  /// Whether a box with this key is entered before the end.
+  bool admits(double key) const { return key <= t_max_; }
+
   template <class T>
   bool operator()(const Aabb<N, T>& box) const {
-    const Vec<N, double> to_min = wide<N, T>(box.min) - origin_;
-    const Vec<N, double> to_max = wide<N, T>(box.max) - origin_;
-    double size = far_;
-    for (Dim i = 0; i < N; ++i) size += std::max(std::fabs(to_min[i]), std::fabs(to_max[i]));
-    const double margin = 2 * tolerance::ray_side * size;
-    double enter = 0;
-    double leave = t_max_;
-    for (Dim i = 0; i < N; ++i) {
-      const double at_min = to_min[i] * inverse_[i];
-      const double at_max = to_max[i] * inverse_[i];
-      const double slack = margin * std::fabs(inverse_[i]);
-      enter = std::max(enter, std::min(at_min, at_max) - slack);
-      leave = std::min(leave, std::max(at_min, at_max) + slack);
-    }
-    return enter <= leave;
+    const Ends within = ends_in(box, t_max_);
+    return within.enter <= within.leave;
   }
   template <class T>
   bool operator()(const Part<N, T>& part) const {
@@ -57,22 +54,35 @@ class RestOfPath {
   }
 
  private:
+  struct Ends {
+    double enter;
+    double leave;
+  };
+
+  /// Where a path of this length enters and leaves a box, along the scaled direction.
+  template <class T>
+  [[gnu::always_inline]] Ends ends_in(const Aabb<N, T>& box, double length) const {
+    const Vec<N, double> to_min = wide<N, T>(box.min) - origin_;
+    const Vec<N, double> to_max = wide<N, T>(box.max) - origin_;
+    double size = far_;
+    for (Dim i = 0; i < N; ++i) size += std::max(std::fabs(to_min[i]), std::fabs(to_max[i]));
+    const double margin = 2 * tolerance::ray_side * size;
+    Ends within{0, length};
+    for (Dim i = 0; i < N; ++i) {
+      const double at_min = to_min[i] * inverse_[i];
+      const double at_max = to_max[i] * inverse_[i];
+      const double slack = margin * std::fabs(inverse_[i]);
+      within.enter = std::max(within.enter, std::min(at_min, at_max) - slack);
+      within.leave = std::min(within.leave, std::max(at_min, at_max) + slack);
+    }
+    return within;
+  }
+
   Vec<N, double> origin_;
   Vec<N, double> inverse_;
   double far_;
   double scale_;
   double t_max_;  // where the path ends, along the scaled direction
-};
-
-/// For `visit_parts`: boxes by the place of their centers along a direction.
-template <Dim N>
-struct AlongDirection {
-  template <class T>
-  double operator()(const Aabb<N, T>& box) const {
-    return dot(direction, wide<N, T>(box.min) + wide<N, T>(box.max));
-  }
-
-  Vec<N, double> direction;
 };
 
 }  // namespace graze::detail

@@ -19,6 +19,10 @@ namespace graze::detail {
 /// For `PartTree::visit`: boxes in any order.
 struct InAnyOrder {};
 
+/// For `PartTree::visit`: boxes by may_matter.key(box), the least first; NaN for a box that does not matter. If
+/// may_matter accepts less by now, may_matter.admits(key) tells whether a box still matters.
+struct ByKey {};
+
 /// A tree of four children per node without pointers: level 0 holds the boxes of the parts, sorted so that neighbours
 /// in space are neighbours in the list; each box of the level above is around the next four. Boxes that are not finite
 /// are not in the tree.
@@ -52,23 +56,25 @@ class PartTree {
   std::span<const std::uint32_t> unbounded() const { return unbounded_; }
 
   /// Calls visit(index of a part) until it returns false: for each part in the tree whose box, and every box around it,
-  /// may_matter(box) accepts. Of the boxes in a node, those with the least order(box) come first; with InAnyOrder, in
-  /// any order. `may_matter` may accept less from call to call.
+  /// may_matter(box) accepts. Of the boxes in a node, those with the least order(box) come first, or InAnyOrder or
+  /// ByKey. `may_matter` may accept less from call to call.
   template <class MayMatter, class Order, class Visit>
   void visit(const MayMatter& may_matter, const Order& order, const Visit& visit) const {
     if (parts_.empty()) return;
-    std::array<Place, most_waiting> waiting;
-    std::size_t count = 0;
-    if (may_matter(boxes_.back())) waiting[count++] = {0, static_cast<std::uint32_t>(height_)};
-    while (count > 0) {
-      const Place place = waiting[--count];
-      if constexpr (!std::is_same_v<Order, InAnyOrder>) {
-        if (!may_matter(box_at(place))) continue;  // by now
+    Waiting waiting;
+    if (may_matter(boxes_.back())) waiting.places[waiting.count++] = {0, static_cast<std::uint32_t>(height_)};
+    if constexpr (std::is_same_v<Order, ByKey>) waiting.keys[0] = may_matter.key(boxes_.back());
+    while (waiting.count > 0) {
+      const Place place = waiting.places[--waiting.count];
+      if constexpr (std::is_same_v<Order, ByKey>) {
+        if (!may_matter.admits(waiting.keys[waiting.count])) continue;
+      } else if constexpr (!std::is_same_v<Order, InAnyOrder>) {
+        if (!may_matter(box_at(place))) continue;
       }
       if (place.level == 0) {
         if (!visit(parts_[place.index])) return;
       } else {
-        count = add_children(place, may_matter, order, waiting, count);
+        add_children(place, may_matter, order, waiting);
       }
     }
   }
@@ -86,31 +92,41 @@ class PartTree {
   const Aabb<N, T>& box_at(const Place& place) const { return boxes_[first_of_level_[place.level] + place.index]; }
   std::size_t size_of_level(std::size_t level) const { return first_of_level_[level + 1] - first_of_level_[level]; }
 
+  /// The boxes that are still to be visited, the next one last, and their keys.
+  struct Waiting {
+    std::array<Place, most_waiting> places;
+    std::array<double, most_waiting> keys;
+    std::size_t count = 0;
+  };
+
   /// Puts the children that may matter on top of the places that wait, the first of the order at the very top.
   template <class MayMatter, class Order>
-  std::size_t add_children(const Place& parent, const MayMatter& may_matter, const Order& order,
-                           std::array<Place, most_waiting>& waiting, std::size_t count) const {
+  void add_children(const Place& parent, const MayMatter& may_matter, const Order& order, Waiting& waiting) const {
     const std::uint32_t level = parent.level - 1;
     const std::uint32_t begin = parent.index * width;
     const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(begin + width, size_of_level(level)));
-    std::array<double, width> keys;
-    std::size_t added = 0;
+    const std::size_t bottom = waiting.count;
     for (std::uint32_t index = begin; index < end; ++index) {
       const Place child{index, level};
       const Aabb<N, T>& box = box_at(child);
-      if (!may_matter(box)) continue;
-      std::size_t place = added++;
-      if constexpr (!std::is_same_v<Order, InAnyOrder>) {
-        const double key = order(box);
-        for (; place > 0 && keys[place - 1] < key; --place) {
-          keys[place] = keys[place - 1];
-          waiting[count + place] = waiting[count + place - 1];
-        }
-        keys[place] = key;
+      double key = 0;
+      if constexpr (std::is_same_v<Order, ByKey>) {
+        key = may_matter.key(box);
+        if (!may_matter.admits(key)) continue;
+      } else {
+        if (!may_matter(box)) continue;
+        if constexpr (!std::is_same_v<Order, InAnyOrder>) key = order(box);
       }
-      waiting[count + place] = child;
+      std::size_t place = waiting.count++;
+      if constexpr (!std::is_same_v<Order, InAnyOrder>) {
+        for (; place > bottom && waiting.keys[place - 1] < key; --place) {
+          waiting.keys[place] = waiting.keys[place - 1];
+          waiting.places[place] = waiting.places[place - 1];
+        }
+        waiting.keys[place] = key;
+      }
+      waiting.places[place] = child;
     }
-    return count + added;
   }
 
   /// Sorts the parts so that every block of 4, 16, 64, ... is compact: by halving blocks along the axis on which their

@@ -225,22 +225,12 @@ void expect_distances_as_box_by_box(double size, std::uint64_t seed) {
       NearestKeys expected_near_box(k);
       NearestKeys near_box(k);
       for (std::uint32_t slot = 0; slot < count; ++slot) {
-        expected_near_box.offer({{slot, 0, 0}, box_distance_squared(from, tree.box(slot))});
+        expected_near_box.offer({{slot, 0, 0}, distance_squared(from, tree.box(slot))});
       }
       find_near(tree, from, near_box);
       EXPECT_EQ(near_box.sorted(), expected_near_box.sorted()) << size << ", round " << round << ", " << k;
     }
   }
-}
-
-TEST(BvhQuery, ADistanceOfBoxesIsThatOfTheirNearestPoints) {
-  const Aabb<2, float> box{{0, 0}, {2, 1}};
-  EXPECT_EQ(box_distance_squared(box, Aabb<2, float>{{5, 5}, {9, 9}}), 25);
-  EXPECT_EQ(box_distance_squared(Aabb<2, float>{{-4, -1}, {-3, 7}}, box), 9);
-  EXPECT_EQ(box_distance_squared(box, Aabb<2, float>{{2, 1}, {9, 9}}), 0);
-  EXPECT_EQ(box_distance_squared(box, Aabb<2, float>{{1, -9}, {1, 9}}), 0);
-  const Vec<2, float> point(7, -2);
-  EXPECT_EQ(box_distance_squared(box, Aabb<2, float>{point, point}), distance_squared(point, box));
 }
 
 TEST(BvhQuery, TheNearestAreThoseBoxByBox) {

@@ -25,6 +25,32 @@ class PartTreeIn : public ::testing::Test {
   using Box = Aabb<N, T>;
   using Tree = detail::PartTree<N, T>;
 
+  /// Boxes that overlap another, from left to right.
+  struct OverlapByKey {
+    double key(const Box& box) const {
+      return boxes_overlap(box, wanted) ? static_cast<double>(box.min[0]) : std::numeric_limits<double>::quiet_NaN();
+    }
+    bool admits(double key) const { return !std::isnan(key); }
+    bool operator()(const Box& box) const { return admits(key(box)); }
+
+    Box wanted;
+  };
+
+  /// Distances from a point below the least of the boxes visited so far.
+  struct NearestByKey {
+    double key(const Box& box) const {
+      ++tests;
+      const Vec<N, T> off = clamp(point, box.min, box.max) - point;
+      return static_cast<double>(dot(off, off));
+    }
+    bool admits(double key) const { return key < least; }
+    bool operator()(const Box& box) const { return admits(key(box)); }
+
+    Vec<N, T> point;
+    double least = std::numeric_limits<double>::infinity();
+    mutable int tests = 0;
+  };
+
   /// Boxes with whole coordinates, many of them equal; some are infinite or empty.
   static std::vector<Box> draw_boxes(std::size_t count, std::mt19937& random) {
     std::vector<Box> result;
@@ -68,6 +94,10 @@ class PartTreeIn : public ::testing::Test {
         found.clear();
         tree.visit(
             matters, [](const Box& box) { return static_cast<double>(box.min[0]); }, visit);
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(found, expected) << count;
+        found.clear();
+        tree.visit(OverlapByKey{wanted}, detail::ByKey(), visit);
         std::sort(found.begin(), found.end());
         EXPECT_EQ(found, expected) << count;
       }
@@ -131,6 +161,13 @@ class PartTreeIn : public ::testing::Test {
       for (const Box& box : boxes) expected = std::min(expected, distance(box));
       EXPECT_EQ(least, expected);
       EXPECT_LT(tests, 400);
+      NearestByKey by_key{point};
+      tree.visit(by_key, detail::ByKey(), [&](std::uint32_t part) {
+        by_key.least = distance(boxes[part]);
+        return true;
+      });
+      EXPECT_EQ(by_key.least, expected);
+      EXPECT_LT(by_key.tests, 300);  // none is tested again when its turn comes
     }
   }
 };
