@@ -41,6 +41,12 @@ inline std::filesystem::path project_file(const std::string& name) {
   return std::filesystem::path(root == nullptr ? "." : root) / name;
 }
 
+/// A file of real data: in GRAZE_SHARED_DATA, or in ../shared/data beside the project. It need not exist.
+inline std::filesystem::path shared_file(const std::string& name) {
+  const char* folder = std::getenv("GRAZE_SHARED_DATA");
+  return folder == nullptr ? project_file("../shared/data/" + name) : std::filesystem::path(folder) / name;
+}
+
 inline std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   EXPECT_TRUE(in) << path << " cannot be read";

@@ -12,11 +12,11 @@
 #include <gtest/gtest.h>
 
 #include <graze/query/distance.hpp>
-#include <graze/query/relation.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/scene/slide.hpp>
 
+#include "scene/slide_walks.hpp"
 #include "soak.hpp"
 
 namespace graze::slide_test {
@@ -221,24 +221,14 @@ class Room {
 template <Dim N, class T>
 void expect_a_walk_that_overlaps_nothing(const AnyShape<N, T>& start, std::uint32_t seed, const SlideOptions& options) {
   Room<N, T> room(seed);
-  AnyShape<N, T> moving = start;
-  const std::size_t steps = test::soak_operations() / 10;
-  std::size_t touches = 0;
-  double way = 0;
-  for (std::size_t step = 0; step < steps; ++step) {
-    const Vec<N, T> motion = room.vector(step % 10 == 0 ? T(15) : T(1.5));
-    const Slide<N, T> moved = slide(room.scene(), moving, motion, options);
-    moving = translated<N, T>(moving, moved.motion);
-    touches += moved.touches.size();
-    way += static_cast<double>(max_abs(moved.motion));
-    const Aabb<N, T> box = bounds(moving);
-    ASSERT_TRUE(max_abs(box.min) <= T(10) && max_abs(box.max) <= T(10)) << "outside of the room at step " << step;
-    for (const ObjectId& id : room.scene().overlapping(moving)) {
-      ASSERT_NE(relation(moving, room.scene().object(id).shape), Relation::overlapping) << "step " << step;
-    }
-  }
-  EXPECT_GT(touches, steps / 4);
-  EXPECT_GT(way, 0.2 * static_cast<double>(steps)) << "it is stuck";
+  const std::size_t steps = test::soak_operations() * 3 / 4;
+  const auto walk = test::expect_a_walk_without_overlap<N, T>(
+      room.scene(), start, steps, options,
+      [&room](std::size_t step) { return room.vector(step % 10 == 0 ? T(15) : T(1.5)); });
+  const Aabb<N, T> box = bounds(walk.end);
+  EXPECT_TRUE(max_abs(box.min) <= T(10) && max_abs(box.max) <= T(10)) << "outside of the room";
+  EXPECT_GT(walk.touches, steps / 4);
+  EXPECT_GT(walk.way, 0.2 * static_cast<double>(steps)) << "it is stuck";
 }
 
 template <Dim N, class T>

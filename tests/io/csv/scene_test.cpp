@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -219,11 +218,9 @@ TEST(CsvScene, TheExampleOfTheDocumentationIsRead) {
 }
 
 TEST(CsvScene, ARealChipIsReadWhole) {
-  const char* variable = std::getenv("GRAZE_SHARED_DATA");
-  const std::filesystem::path folder =
-      variable == nullptr ? project_file("../shared/data") : std::filesystem::path(variable);
-  if (!std::filesystem::exists(folder / "chip_aes.csv")) GTEST_SKIP() << "there is no " << folder / "chip_aes.csv";
-  const Scene2 scene = read_2d(text_of(folder / "chip_aes.csv"));
+  const std::filesystem::path chip = shared_file("chip_aes.csv");
+  if (!std::filesystem::exists(chip)) GTEST_SKIP() << "there is no " << chip;
+  const Scene2 scene = read_2d(text_of(chip));
   EXPECT_EQ(scene.size(), 21340U);
   EXPECT_EQ(box_named(scene, "_18498_"), (Aabb<2, double>{{597540, 615019}, {600200, 617819}}));
   EXPECT_EQ(scene.pairs().size(), 26815U);

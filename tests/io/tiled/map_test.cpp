@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,6 +18,7 @@
 #include <graze/io/tiled/map.hpp>
 #include <graze/query/relation.hpp>
 
+#include "io/scene_text.hpp"
 #include "io/tiled_folder.hpp"
 
 namespace graze::io::tiled_test {
@@ -329,11 +329,6 @@ TEST(Tiled, ReadsTheSameSceneFromXmlAndJson) {
 
 // The bundled level and real ones.
 
-fs::path project_root() {
-  const char* root = std::getenv("GRAZE_ROOT");
-  return root != nullptr ? root : ".";
-}
-
 SceneFile read_file(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
@@ -369,7 +364,7 @@ Scene<2, double> inflated(const Scene<2, double>& scene, double margin) {
 }
 
 TEST(Tiled, ReadsTheBundledPlatformLevel) {
-  const SceneFile file = read_file(project_root() / "data" / "platform_level.tmx");
+  const SceneFile file = read_file(project_file("data/platform_level.tmx"));
   EXPECT_EQ(scene_of(file).size(), 98U);
   EXPECT_EQ(omissions_of(file),
             "40 x tile without collision shape; 52 x object class; 1 x text object; 2 x ellipse drawn as a 64-gon; "
@@ -382,11 +377,7 @@ TEST(Tiled, ReadsTheBundledPlatformLevel) {
   EXPECT_EQ(box_of(file, "cave"), (Box{{960, 258}, {1280, 640}}));
 }
 
-fs::path sticker_knight(const std::string& name) {
-  const char* shared = std::getenv("GRAZE_SHARED_DATA");
-  const fs::path folder = shared != nullptr ? fs::path(shared) : project_root() / ".." / "shared" / "data";
-  return folder / "sticker-knight" / name;
-}
+fs::path sticker_knight(const std::string& name) { return shared_file("sticker-knight/" + name); }
 
 TEST(Tiled, FindsTheKnownPairsOfSandbox2) {
   const fs::path path = sticker_knight("sandbox2.tmx");
