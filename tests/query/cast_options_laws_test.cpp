@@ -17,7 +17,7 @@
 
 #include "catalogue.hpp"
 #include "query/cast_cases.hpp"
-#include "query/ray_casts.hpp"
+#include "query/cast_laws.hpp"
 #include "query/shape_casts.hpp"
 
 namespace graze::test::cast_options_laws_test {
@@ -78,40 +78,16 @@ TYPED_TEST(CastOptionsLaw, TheShapesAreAsNearAsTheTargetAtTheImpactAndNotBefore)
     const auto drawn = TestFixture::draw_case();
     const double target = TestFixture::draw_target(drawn);
     const auto found = TestFixture::cast_hit(drawn, {false, target});
-    const double slack = TestFixture::place_error(drawn) + 32 * tolerance::epsilon * target;
     if (TestFixture::verdict_at(drawn, 0).is_nearly_parallel) return;  // they meet, too far away to be noticed
-    if (!found) {
-      for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) RC_ASSERT(TestFixture::gap_at(drawn, t) - target >= -slack);
-      return;
-    }
-    const double error = found->error + slack;
-    const double over = TestFixture::gap_at(drawn, found->t) - target;
-    RC_LOG() << "farther by " << over << ", allowed " << error << "\n";
-    RC_ASSERT(over <= error);
-    if (found->t == 0) return;
-    RC_ASSERT(found->status == Status::best_bound ||
-              found->error <= 4096 * tolerance::epsilon * (TestFixture::size(drawn) + target));
-    RC_ASSERT(over >= -error);
-    for (const double share : {0.25, 0.75, 0.999}) {
-      RC_ASSERT(TestFixture::gap_at(drawn, found->t * share) - target >= -error);
-    }
+    check_gaps<TestFixture>(drawn, target, found);
   });
 }
 
 TYPED_TEST(CastOptionsLaw, ThePointIsOnTheSecondShapeAndTheTargetAwayFromTheFirst) {
   check_property([] {
-    constexpr Dim N = TypeParam::dimension;
-    using T = typename TypeParam::scalar;
     const auto drawn = TestFixture::draw_case();
     const double target = TestFixture::draw_target(drawn);
-    const auto found = TestFixture::cast_hit(drawn, {false, target});
-    if (!found || found->t == 0) return;
-    const double size = TestFixture::size(drawn) + target;
-    const double slack = 4 * (found->error + TestFixture::place_error(drawn)) + 1e-9 * size;
-    const Vec<N, double> on_a = found->point - found->normal * target - wide<N, T>(drawn.motion) * found->t;
-    RC_ASSERT(std::fabs(length(found->normal) - 1) <= 8 * tolerance::epsilon);
-    RC_ASSERT((std::fabs(height_of<N, T>(drawn.b, found->point)) <= slack));
-    RC_ASSERT((std::fabs(height_of<N, T>(drawn.a, on_a)) <= slack));
+    check_point<TestFixture>(drawn, target, TestFixture::cast_hit(drawn, {false, target}));
   });
 }
 
@@ -195,29 +171,10 @@ TYPED_TEST(CastOptionsLaw, WhatDoesNotStopTheCastNeverGoesDeeper) {
 
 TYPED_TEST(CastOptionsLaw, ACompoundStopsWhenItsFirstPartDoes) {
   check_property([] {
-    constexpr Dim N = TypeParam::dimension;
-    using T = typename TypeParam::scalar;
     const auto drawn = TestFixture::draw_case();
     const double target = *rc::gen::inRange(0, 2) == 0 ? 0.0 : TestFixture::draw_target(drawn);
     const CastOptions options{*rc::gen::inRange(0, 2) == 0, target};
-    auto second = drawn;
-    second.b = *any_shape<N, T>();
-    auto both = drawn;
-    both.b = compound_of<N, T>({drawn.b, second.b});
-    const auto one = TestFixture::cast_hit(drawn, options);
-    const auto two = TestFixture::cast_hit(second, options);
-    const auto first = TestFixture::cast_hit(both, options);
-    RC_ASSERT(first.has_value() == (one || two));
-    if (!first) return;
-    for (const auto& found : {one, two, first}) {
-      if (found && found->status == Status::best_bound) return;  // a bound may be better for a shorter motion
-    }
-    const double never = 2;
-    RC_ASSERT(first->t == std::min(one ? one->t : never, two ? two->t : never));
-    if (first->t == 0) {
-      RC_ASSERT(first->depth ==
-                std::max(one && one->t == 0 ? one->depth : -HUGE_VAL, two && two->t == 0 ? two->depth : -HUGE_VAL));
-    }
+    check_first_part<TestFixture>(drawn, [&](const auto& each) { return TestFixture::cast_hit(each, options); });
   });
 }
 

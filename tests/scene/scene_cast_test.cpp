@@ -21,6 +21,7 @@
 
 #include "broad/box_worlds.hpp"
 #include "catalogue.hpp"
+#include "scene/judged_scene.hpp"
 
 namespace graze::scene_cast_test {
 namespace {
@@ -188,46 +189,30 @@ TEST(SceneCast, NonsenseIsRefused) {
   }
 }
 
-/// A scene, and another one that judges it.
 template <Dim N, class T>
-class Trial {
+class Trial : public test::JudgedScene<N, T> {
  public:
-  using Shape = AnyShape<N, T>;
-
-  void add(const Shape& shape, Layer layer = 0) {
-    held_.push_back({scene_.add(shape, {.layer = layer}), judge_.add(shape, {.layer = layer})});
-  }
-  void move(std::size_t place, const Shape& shape) {
-    scene_.move(held_[place].id, shape);
-    judge_.move(held_[place].judged, shape);
-  }
-  void remove(std::size_t place) {
-    scene_.remove(held_[place].id);
-    judge_.remove(held_[place].judged);
-    held_.erase(held_.begin() + static_cast<std::ptrdiff_t>(place));
-  }
-  std::size_t size() const { return held_.size(); }
-  ObjectId id(std::size_t place) const { return held_[place].id; }
-  const Shape& shape(std::size_t place) const { return scene_.object(held_[place].id).shape; }
+  using Judged = test::JudgedScene<N, T>;
+  using typename Judged::Shape;
 
   /// Whether the scene's answers are those of single calls, and the judge's.
   bool agrees_on_cast(const Shape& shape, const Vec<N, T>& motion) const {
     const auto expected = earliest([&](const Shape& other) { return graze::shape_cast(shape, motion, other); });
-    const auto judged = judge_.shape_cast_all(shape, motion);
-    const auto first = scene_.shape_cast(shape, motion);
-    const auto first_judged = judge_.shape_cast(shape, motion);
-    return scene_.shape_cast_all(shape, motion) == expected && are_same(judged, expected) &&
+    const auto judged = this->judge().shape_cast_all(shape, motion);
+    const auto first = this->scene().shape_cast(shape, motion);
+    const auto first_judged = this->judge().shape_cast(shape, motion);
+    return this->scene().shape_cast_all(shape, motion) == expected && are_same(judged, expected) &&
            are_same(listed(first), head(expected)) && are_same(listed(first_judged), head(expected));
   }
   bool agrees_on_time(const Shape& shape, const Motion<N, T>& motion) const {
     const auto expected =
         earliest([&](const Shape& other) { return graze::time_of_impact(shape, motion, other, Motion<N, T>{}); });
-    return are_same(listed(scene_.time_of_impact(shape, motion)), head(expected)) &&
-           are_same(listed(judge_.time_of_impact(shape, motion)), head(expected));
+    return are_same(listed(this->scene().time_of_impact(shape, motion)), head(expected)) &&
+           are_same(listed(this->judge().time_of_impact(shape, motion)), head(expected));
   }
   bool agrees_with(const Shape& shape, const Vec<N, T>& motion, LayerMask layers, std::size_t excepted) const {
-    SceneQuery query{.layers = layers, .except = {&held_[excepted].id, 1}};
-    SceneQuery judged{.layers = layers, .except = {&held_[excepted].judged, 1}};
+    SceneQuery query{.layers = layers, .except = {&this->held(excepted).id, 1}};
+    SceneQuery judged{.layers = layers, .except = {&this->held(excepted).judged, 1}};
     const bool agrees = agrees_on_queries(shape, motion, query, judged);
     query.ignore_initial_touch = true;
     judged.ignore_initial_touch = true;
@@ -237,40 +222,33 @@ class Trial {
  private:
   bool agrees_on_queries(const Shape& shape, const Vec<N, T>& motion, const SceneQuery& query,
                          const SceneQuery& judged) const {
-    return are_same(scene_.shape_cast_all(shape, motion, query), judge_.shape_cast_all(shape, motion, judged)) &&
-           are_same(listed(scene_.shape_cast(shape, motion, query)), listed(judge_.shape_cast(shape, motion, judged)));
+    return are_same(this->scene().shape_cast_all(shape, motion, query),
+                    this->judge().shape_cast_all(shape, motion, judged)) &&
+           are_same(listed(this->scene().shape_cast(shape, motion, query)),
+                    listed(this->judge().shape_cast(shape, motion, judged)));
   }
 
-  struct Held {
-    ObjectId id;
-    ObjectId judged;
-  };
   using List = std::vector<ObjectImpact<N, T>>;
 
   static List listed(const std::optional<ObjectImpact<N, T>>& impact) { return impact ? List{*impact} : List{}; }
   static List head(const List& list) { return list.empty() ? List{} : List{list.front()}; }
 
-  /// The scenes give out the same ids, except for the owner.
   static bool are_same(const List& a, const List& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
-      return one.id.index == other.id.index && one.id.generation == other.id.generation && one.impact == other.impact;
+      return Judged::are_same(one.id, other.id) && one.impact == other.impact;
     });
   }
 
   template <class Find>
   List earliest(const Find& find) const {
     List result;
-    for (const ObjectId id : scene_.ids()) {
-      if (const auto impact = find(scene_.object(id).shape)) result.push_back({id, *impact});
+    for (const ObjectId id : this->scene().ids()) {
+      if (const auto impact = find(this->scene().object(id).shape)) result.push_back({id, *impact});
     }
     std::stable_sort(result.begin(), result.end(),
                      [](const auto& a, const auto& b) { return a.impact.t < b.impact.t; });
     return result;
   }
-
-  Scene<N, T> scene_;
-  PlainScene<N, T> judge_;
-  std::vector<Held> held_;
 };
 
 template <Dim N, class T>
@@ -328,36 +306,27 @@ TYPED_TEST(SceneCastIn, TouchesWhatEveryObjectSaysAmongMany) {
   using T = typename TypeParam::scalar;
   using Shape = AnyShape<N, T>;
   test::Numbers numbers(20'261'128);
-  const auto length = [&numbers] { return static_cast<T>(numbers.between(0.01, 1)); };
-  const auto any_shape = [&]() -> Shape {
-    const double kind = numbers.between(0, 6);
-    const auto at = numbers.point<N, T>(0, 20);
-    if (kind < 1) return Sphere<N, T>{at, length()};
-    if (kind < 2) return Aabb<N, T>{at, at + length()};
-    if (kind < 3) return Capsule<N, T>{at, at + numbers.point<N, T>(-1, 1), length()};
-    if (kind < 4) return Triangle<N, T>{at, at + numbers.point<N, T>(-1, 1), at + numbers.point<N, T>(-1, 1)};
-    if (kind < 5) return Segment<N, T>{at, at + numbers.point<N, T>(-1, 1)};
-    return at;
-  };
   Trial<N, T> trial;
-  for (int k = 0; k < 400; ++k) trial.add(any_shape(), static_cast<Layer>(k % 3));
+  for (int k = 0; k < 400; ++k) {
+    trial.add(test::small_shape<N, T>(numbers), {.layer = static_cast<Layer>(k % 3)});
+  }
   const auto any_place = [&] {
     return static_cast<std::size_t>(numbers.between(0, static_cast<double>(trial.size())));
   };
   for (int round = 0; round < 150; ++round) {
-    const Shape shape = any_shape();
+    const Shape shape = test::small_shape<N, T>(numbers);
     const Vec<N, T> motion = numbers.point<N, T>(-20, 20) * (round % 4 == 0 ? T(0.01) : T(1));
     ASSERT_TRUE(trial.agrees_on_cast(shape, motion)) << "in round " << round;
     ASSERT_TRUE(trial.agrees_with(shape, motion, only_layer(1) | only_layer(2), any_place())) << "in round " << round;
     if (round % 3 == 0) {
       Motion<N, T> rotating{motion, Turn<N, T>(0), numbers.point<N, T>(0, 20)};
-      if constexpr (N == 2) rotating.angular = length() * 4;
+      if constexpr (N == 2) rotating.angular = static_cast<T>(numbers.between(0.04, 4));
       if constexpr (N == 3) rotating.angular = numbers.point<N, T>(-2, 2);
       ASSERT_TRUE(trial.agrees_on_time(shape, rotating)) << "in round " << round;
     }
-    for (int k = 0; k < 5; ++k) trial.move(any_place(), any_shape());
+    for (int k = 0; k < 5; ++k) trial.move(any_place(), test::small_shape<N, T>(numbers));
     if (round % 2 == 0) trial.remove(any_place());
-    if (round % 3 == 0) trial.add(any_shape());
+    if (round % 3 == 0) trial.add(test::small_shape<N, T>(numbers));
   }
 }
 

@@ -17,6 +17,7 @@
 
 #include "broad/box_worlds.hpp"
 #include "catalogue.hpp"
+#include "scene/judged_scene.hpp"
 
 namespace graze::scene_near_test {
 namespace {
@@ -107,62 +108,47 @@ TEST(SceneNear, TestsFewObjects) {
   EXPECT_LE(asked, 24);
 }
 
-/// A scene, and another one that judges it.
 template <Dim N, class T>
-class Trial {
+class Trial : public test::JudgedScene<N, T> {
  public:
-  using Shape = AnyShape<N, T>;
-
-  void add(const Shape& shape, const ObjectOptions& options = {}) {
-    scene_.add(shape, options);
-    judged_.push_back(judge_.add(shape, options));
-  }
-  void move(std::uint32_t place, const Shape& shape) {
-    scene_.move(*scene_.find(place, 1), shape);
-    judge_.move(judged_[place], shape);
-  }
-  const Scene<N, T>& scene() const { return scene_; }
+  using Judged = test::JudgedScene<N, T>;
+  using typename Judged::Shape;
 
   bool agrees_on_nearest(const Shape& shape) const {
-    for (const std::size_t count : {std::size_t{1}, std::size_t{3}, scene_.size()}) {
+    for (const std::size_t count : {std::size_t{1}, std::size_t{3}, this->scene().size()}) {
       if (!agrees_on_nearest(shape, count, {})) return false;
     }
     return agrees_on_nearest(shape, 5, {.layers = only_layer(1)});
   }
 
   bool agrees_on_pairs(T within) const {
-    const auto found = scene_.closest_pairs(within);
-    const auto expected = judge_.closest_pairs(within);
+    const auto found = this->scene().closest_pairs(within);
+    const auto expected = this->judge().closest_pairs(within);
     return std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
-                      [this](const NearPair<T>& a, const NearPair<T>& b) {
-                        return ObjectPair{judged(a.pair.a), judged(a.pair.b)} == b.pair && a.distance == b.distance;
+                      [](const NearPair<T>& a, const NearPair<T>& b) {
+                        return Judged::are_same(a.pair.a, b.pair.a) && Judged::are_same(a.pair.b, b.pair.b) &&
+                               a.distance == b.distance;
                       });
   }
 
   /// A distance of zero is a touch.
   bool agrees_with_pairs() const {
     std::vector<ObjectPair> touching;
-    for (const NearPair<T>& each : scene_.closest_pairs(T(0))) touching.push_back(each.pair);
-    return touching == scene_.pairs();
+    for (const NearPair<T>& each : this->scene().closest_pairs(T(0))) touching.push_back(each.pair);
+    return touching == this->scene().pairs();
   }
 
  private:
   /// And the distances are those of single calls.
   bool agrees_on_nearest(const Shape& shape, std::size_t count, const SceneQuery& query) const {
-    const auto found = scene_.nearest(shape, count, query);
-    const auto expected = judge_.nearest(shape, count, query);
+    const auto found = this->scene().nearest(shape, count, query);
+    const auto expected = this->judge().nearest(shape, count, query);
     return std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
                       [&](const NearObject<T>& a, const NearObject<T>& b) {
-                        return judged(a.id) == b.id && a.distance == b.distance &&
-                               a.distance == graze::distance(shape, scene_.object(a.id).shape);
+                        return Judged::are_same(a.id, b.id) && a.distance == b.distance &&
+                               a.distance == graze::distance(shape, this->scene().object(a.id).shape);
                       });
   }
-
-  ObjectId judged(const ObjectId& id) const { return judged_[id.index]; }
-
-  Scene<N, T> scene_;
-  PlainScene<N, T> judge_;
-  std::vector<ObjectId> judged_;  // by index: nothing is removed
 };
 
 template <class SpaceType>
@@ -177,10 +163,8 @@ void check_against_every_object() {
   const test::Source<N, T> source = test::sharing<N, T>(drawn, *drawn.point, *drawn.point);
   Trial<N, T> trial;
   for (const Shape& shape : *test::some<Shape>(12, test::any_shape_from<N, T>(source))) {
-    trial.add(shape, {.layer = static_cast<Layer>(trial.scene().size() % 2)});
-  }
-  for (const ObjectId id : trial.scene().ids()) {
-    RC_LOG() << test::to_source<N, T>(trial.scene().object(id).shape) << "\n";
+    trial.add(shape, {.layer = static_cast<Layer>(trial.size() % 2)});
+    RC_LOG() << test::to_source<N, T>(shape) << "\n";
   }
   const Shape shape = *test::any_shape_from<N, T>(source);
   RC_LOG() << "nearest to " << test::to_source<N, T>(shape) << "\n";
@@ -200,30 +184,20 @@ TYPED_TEST(SceneNearIn, AreThoseOfAllObjects) {
 TYPED_TEST(SceneNearIn, AreThoseOfAllObjectsAmongMany) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
-  using Shape = AnyShape<N, T>;
   test::Numbers numbers(20'261'131);
-  const auto length = [&numbers] { return static_cast<T>(numbers.between(0.01, 1)); };
-  const auto any_shape = [&]() -> Shape {
-    const double kind = numbers.between(0, 5);
-    const auto at = numbers.point<N, T>(0, 20);
-    if (kind < 1) return Sphere<N, T>{at, length()};
-    if (kind < 2) return Aabb<N, T>{at, at + length()};
-    if (kind < 3) return Capsule<N, T>{at, at + numbers.point<N, T>(-4, 4), length()};
-    if (kind < 4) return Triangle<N, T>{at, at + numbers.point<N, T>(-1, 1), at + numbers.point<N, T>(-1, 1)};
-    return at;
-  };
   Trial<N, T> trial;
   for (int k = 0; k < 300; ++k) {
-    trial.add(any_shape(),
+    trial.add(test::small_shape<N, T>(numbers),
               {.layer = static_cast<Layer>(k % 3), .mobility = k % 7 == 0 ? Mobility::fixed : Mobility::moving});
   }
   for (int round = 0; round < 40; ++round) {
-    ASSERT_TRUE(trial.agrees_on_nearest(any_shape())) << "in round " << round;
+    ASSERT_TRUE(trial.agrees_on_nearest(test::small_shape<N, T>(numbers))) << "in round " << round;
     if (round % 10 == 0) {
-      ASSERT_TRUE(trial.agrees_on_pairs(length())) << "in round " << round;
+      ASSERT_TRUE(trial.agrees_on_pairs(static_cast<T>(numbers.between(0.01, 1)))) << "in round " << round;
       ASSERT_TRUE(trial.agrees_with_pairs()) << "in round " << round;
     }
-    for (int k = 0; k < 5; ++k) trial.move(static_cast<std::uint32_t>(numbers.between(0, 300)), any_shape());
+    for (int k = 0; k < 5; ++k)
+      trial.move(static_cast<std::size_t>(numbers.between(0, 300)), test::small_shape<N, T>(numbers));
   }
 }
 
