@@ -95,7 +95,11 @@ class Walkers {
 void expect_walks_in(const fs::path& path) {
   SCOPED_TRACE(path.filename().string());
   const SceneFile file = read_scene(path);
-  std::visit([](const auto& scene) { Walkers(scene).expect_no_overlap(test::soak_operations() * 4); }, file.scene);
+  std::visit(
+      [](const auto& scene) {
+        Walkers(scene).expect_no_overlap(static_cast<std::size_t>(test::scaled_by_test(100'000)));
+      },
+      file.scene);
 }
 
 TEST(SlideInLevels, OfTheProjectOverlapsNothing) {
