@@ -42,7 +42,6 @@ class Work {
   static constexpr std::size_t object_count = 100'000;
   static constexpr std::size_t question_count = 1'024;
   static constexpr float side = N == 3 ? 80 : 800;
-  static constexpr float way = 8;
 
   Work() {
     for (std::size_t i = 0; i < object_count; ++i) {
@@ -54,12 +53,12 @@ class Work {
   const graze::Scene<N>& scene() const { return scene_; }
   const std::vector<Any<N>>& objects() const { return objects_; }
 
-  /// Casts over `way` that touch nothing at the start. Most hit something.
-  std::vector<Cast<N>> casts(Kind kind) {
+  /// Casts over a distance that touch nothing at the start.
+  std::vector<Cast<N>> casts(Kind kind, float distance) {
     std::vector<Cast<N>> result;
     while (result.size() < question_count) {
       Any<N> shape = draw(kind, point(side), 0.6F);
-      if (scene_.overlapping(shape).empty()) result.push_back({std::move(shape), direction() * way});
+      if (scene_.overlapping(shape).empty()) result.push_back({std::move(shape), direction() * distance});
     }
     return result;
   }
