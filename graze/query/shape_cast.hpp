@@ -20,9 +20,10 @@
 ///     compound                                                                              P       P
 ///
 /// For a point, the result is that of ray_cast.hpp for the ray from the point along `motion` with t_max = 1, near
-/// misses included; so are those at t = 1, where rounding hides whether the point arrives. Any two shapes become a ray from zero and the Minkowski difference b - a: a sphere and a capsule
-/// make a capsule, two axis-aligned boxes a box, and segments and boxes a zonotope (see zonotope_cast.hpp), with round
-/// edges if one of them is the core of a capsule or a sphere. The set of any two convex shapes has support points.
+/// misses included; so are those at t = 1, where rounding hides whether the point arrives. Any two shapes become a ray
+/// from zero and the Minkowski difference b - a: a sphere and a capsule make a capsule, two axis-aligned boxes a box,
+/// and segments and boxes a zonotope (see zonotope_cast.hpp), with round edges if one of them is the core of a capsule
+/// or a sphere. The set of any two convex shapes has support points.
 ///
 /// Shapes that meet at the start, as relation(a, b) decides, have contact(a, b) as the impact, at t = 0. Later, the
 /// normal is that of a plane with a on one side at t and b on the other, and a has moved towards it. Shapes that touch
