@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <graze/math/tolerance.hpp>
@@ -15,6 +17,9 @@
 #include <graze/shape/any_shape.hpp>
 
 namespace graze::detail {
+
+template <Dim N>
+class RestOfPathInside;
 
 /// For `visit_parts`: whether a path, up to the nearest hit so far, meets a box or does not pass it by far. Its margin
 /// grows with the box, so that a box that it passes by contains none that it meets.
@@ -47,6 +52,12 @@ class RestOfPath {
     const Ends within = ends_in(box, t_max_);
     return within.enter <= within.leave;
   }
+  /// The same for boxes in this one, which asks for less of them. It refers to this object.
+  template <class T>
+  RestOfPathInside<N> inside(const Aabb<N, T>& box) const {
+    return RestOfPathInside<N>(*this, margin_of(box));
+  }
+
   template <class T>
   bool operator()(const Part<N, T>& part) const {
     const Aabb<N, T> grown = touching_bounds(part.box);
@@ -54,23 +65,31 @@ class RestOfPath {
   }
 
  private:
+  friend class RestOfPathInside<N>;
+
   struct Ends {
     double enter;
     double leave;
   };
 
-  /// Where a path of this length enters and leaves a box, along the scaled direction.
+  /// No smaller for a box than for those in it.
   template <class T>
-  [[gnu::always_inline]] Ends ends_in(const Aabb<N, T>& box, double length) const {
+  [[gnu::always_inline]] double margin_of(const Aabb<N, T>& box) const {
     const Vec<N, double> to_min = wide<N, T>(box.min) - origin_;
     const Vec<N, double> to_max = wide<N, T>(box.max) - origin_;
     double size = far_;
     for (Dim i = 0; i < N; ++i) size += std::max(std::fabs(to_min[i]), std::fabs(to_max[i]));
-    const double margin = 2 * tolerance::ray_side * size;
+    return 2 * tolerance::ray_side * size;
+  }
+
+  /// Where a path of this length enters and leaves a box, along the scaled direction.
+  template <class T>
+  [[gnu::always_inline]] Ends ends_in(const Aabb<N, T>& box, double length) const {
+    const double margin = margin_of(box);
     Ends within{0, length};
     for (Dim i = 0; i < N; ++i) {
-      const double at_min = to_min[i] * inverse_[i];
-      const double at_max = to_max[i] * inverse_[i];
+      const double at_min = (static_cast<double>(box.min[i]) - origin_[i]) * inverse_[i];
+      const double at_max = (static_cast<double>(box.max[i]) - origin_[i]) * inverse_[i];
       const double slack = margin * std::fabs(inverse_[i]);
       within.enter = std::max(within.enter, std::min(at_min, at_max) - slack);
       within.leave = std::min(within.leave, std::max(at_min, at_max) + slack);
@@ -83,6 +102,44 @@ class RestOfPath {
   double far_;
   double scale_;
   double t_max_;  // where the path ends, along the scaled direction
+};
+
+/// A RestOfPath for the boxes in another one: with the margin of that, and sides chosen by the direction.
+template <Dim N>
+class RestOfPathInside {
+ public:
+  RestOfPathInside(const RestOfPath<N>& rest, double margin) : rest_(rest) {
+    for (Dim i = 0; i < N; ++i) {
+      slack_[i] = margin * std::fabs(rest.inverse_[i]);
+      is_backward_[static_cast<std::size_t>(i)] = rest.inverse_[i] < 0 ? 1 : 0;
+    }
+  }
+
+  template <class T>
+  double key(const Aabb<N, T>& box) const {
+    const std::array<const Vec<N, T>*, 2> corners{&box.min, &box.max};
+    double enter = 0;
+    double leave = std::numeric_limits<double>::infinity();
+    for (Dim i = 0; i < N; ++i) {
+      const std::size_t first = is_backward_[static_cast<std::size_t>(i)];
+      const double near = static_cast<double>((*corners[first])[i]) - rest_.origin_[i];
+      const double far = static_cast<double>((*corners[1 - first])[i]) - rest_.origin_[i];
+      enter = std::max(near * rest_.inverse_[i] - slack_[i], enter);
+      leave = std::min(far * rest_.inverse_[i] + slack_[i], leave);
+    }
+    return enter <= leave ? enter : std::numeric_limits<double>::quiet_NaN();
+  }
+  bool admits(double key) const { return rest_.admits(key); }
+
+  template <class T>
+  bool operator()(const Aabb<N, T>& box) const {
+    return admits(key(box));
+  }
+
+ private:
+  const RestOfPath<N>& rest_;
+  Vec<N, double> slack_;
+  std::array<std::size_t, static_cast<std::size_t>(N)> is_backward_;
 };
 
 }  // namespace graze::detail

@@ -52,6 +52,9 @@ class PartTree {
   /// Whether no length of a part needs scaling; see query/scaling/range.hpp.
   bool has_usual_lengths() const { return has_usual_lengths_; }
 
+  /// The box around the boxes in the tree.
+  Aabb<N, T> around() const { return boxes_.empty() ? Aabb<N, T>::nothing() : boxes_.back(); }
+
   /// The parts that are not in the tree, in order.
   std::span<const std::uint32_t> unbounded() const { return unbounded_; }
 

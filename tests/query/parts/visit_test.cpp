@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <random>
 #include <variant>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include <graze/query/contact.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/query/parts/visit.hpp>
+#include <graze/query/ray/parts.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/shape_cast.hpp>
@@ -210,6 +212,36 @@ TYPED_TEST(TreeOfParts, AnswersAsTheBestOfAllParts) {
 
 /// Two thousand small spheres and boxes on a lattice, and one on every point of it.
 TYPED_TEST(TreeOfParts, DecidesTiesAmongThousandsOfParts) { TestFixture::check_thousands(); }
+
+/// Among boxes of whole coordinates, many of which the path touches, it may only accept more by its larger margin.
+TEST(RestOfPath, InsideABoxItAcceptsTheSameBoxes) {
+  using Box = Aabb<3, double>;
+  std::mt19937 random(48);
+  const auto number = [&random](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
+  const auto point = [&](int low, int high) {
+    const double x = number(low, high);
+    const double y = number(low, high);
+    return Vec<3, double>(x, y, number(low, high));
+  };
+  const Box around{Vec<3, double>(0.0), Vec<3, double>(12.0)};
+  int accepted = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const Vec<3, double> direction = point(-2, 2);
+    if (max_abs(direction) == 0) continue;
+    detail::RestOfPath<3> rest(detail::Path<3>{point(-4, 16), direction, static_cast<double>(number(0, 20)) / 2});
+    const auto inside = rest.inside(around);
+    const Vec<3, double> corner = point(0, 9);
+    const Box box{corner, corner + point(0, 3)};
+    const Box grown{box.min - 1e-9, box.max + 1e-9};
+    for (const double end : {1e9, 3.0, 1.0, 0.0}) {
+      if (end < 1e9) rest.end_at(end);
+      EXPECT_TRUE(!rest(box) || inside(box));
+      EXPECT_TRUE(!inside(box) || rest(grown));
+      accepted += inside(box) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(accepted, 1000);
+}
 
 TEST(FirstPart, PrefersTheLeastValueThenTheFirstPart) {
   detail::FirstPart first;
