@@ -54,24 +54,32 @@ namespace graze::detail {
 template <>
 inline constexpr double support_error<Silhouette<float>> = tolerance::convex_in<float>;
 
+/// A core that passes another one; of a ray, its beginning and its unit direction.
+template <Dim N>
+struct Passing {
+  ConvexView<N> view;
+  Vec<N, double> ahead = Vec<N, double>(0.0);  ///< Zero unless it is a ray.
+};
+
 /// Whether two cores inflated by radii, the sum of which is given, overlap by at most `slack` as a moves along the line
-/// of `motion` in either direction. In 2D one of the two normals of the line must separate them.
-template <Scalar Number>
-bool do_pass(const ConvexView<2>& a, const Vec<2, double>& motion, const ConvexView<2>& b, double radius,
-             double slack) {
+/// of `motion` in either direction. In 2D one of the two normals of the line must separate them; one along which a ray
+/// leads does not, even if the ray crosses the other core far away. Number is that of the supports, T that of the
+/// shapes.
+template <Scalar Number, Scalar T>
+bool do_pass(const Passing<2>& a, const Vec<2, double>& motion, const Passing<2>& b, double radius, double slack) {
   const Vec<2, double> across = unit_or(perpendicular(motion / max_abs(motion)), Vec<2, double>(0.0));
   for (const Vec<2, double>& normal : {across, -across}) {
-    const Vec<2, double> on_a = a.support(normal);
-    const Vec<2, double> on_b = b.support(-normal);
+    if (dot(a.ahead, normal) > tolerance::approach<T> || -dot(b.ahead, normal) > tolerance::approach<T>) continue;
+    const Vec<2, double> on_a = a.view.support(normal);
+    const Vec<2, double> on_b = b.view.support(-normal);
     const double resolution = tolerance::convex_in<Number> * std::max(max_abs(on_a), max_abs(on_b));
     if (dot(normal, on_b) - dot(normal, on_a) >= radius - slack - resolution) return true;
   }
   return false;
 }
 
-template <Scalar Number>
-bool do_pass(const ConvexView<3>& a, const Vec<3, double>& motion, const ConvexView<3>& b, double radius,
-             double slack) {
+template <Scalar Number, Scalar T>
+bool do_pass(const Passing<3>& a, const Vec<3, double>& motion, const Passing<3>& b, double radius, double slack) {
   const Vec<3, double> along = motion / max_abs(motion);
   Dim least = 0;
   for (Dim i = 1; i < 3; ++i) {
@@ -79,8 +87,8 @@ bool do_pass(const ConvexView<3>& a, const Vec<3, double>& motion, const ConvexV
   }
   const Vec<3, double> right = unit_or(cross(along, unit_axis<3>(least)), Vec<3, double>(0.0));
   const Vec<3, double> up = unit_or(cross(along, right), Vec<3, double>(0.0));
-  const Silhouette<Number> seen_a{a, right, up};
-  const Silhouette<Number> seen_b{b, right, up};
+  const Silhouette<Number> seen_a{a.view, right, up};
+  const Silhouette<Number> seen_b{b.view, right, up};
   Difference differences(seen_a, seen_b);
   const GjkResult<2> gap = gjk_on(differences, GjkOptions{});
   if (gap.lower > gap.resolution) return gap.upper >= radius - slack - gap.resolution;
@@ -88,14 +96,24 @@ bool do_pass(const ConvexView<3>& a, const Vec<3, double>& motion, const ConvexV
   return depth.upper + radius <= slack + depth.resolution;
 }
 
-/// A core; of a ray, the part up to beyond a point. Only the surroundings of the touch matter.
+/// The unit direction of a ray; zero for others.
+template <class S>
+Vec<dimension_of<S>, double> ahead_of(const S& shape) {
+  const Vec<dimension_of<S>, double> zero(0.0);
+  if constexpr (is_ray<S>) {
+    return unit_or(wide<dimension_of<S>, scalar_of<S>>(shape.direction), zero);
+  } else {
+    return zero;
+  }
+}
+
+/// A core; of a ray, the part up to beyond a point.
 template <class S>
 decltype(auto) core_near(const S& shape, const Vec<dimension_of<S>, double>& point, double beyond) {
   if constexpr (is_ray<S>) {
     constexpr Dim N = dimension_of<S>;
     const Vec<N, double> origin = reference(shape);
-    const Vec<N, double> direction = unit_or(wide<N, scalar_of<S>>(shape.direction), Vec<N, double>(0.0));
-    return Segment<N, double>{origin, origin + direction * (sum_abs(point - origin) + beyond)};
+    return Segment<N, double>{origin, origin + ahead_of(shape) * (sum_abs(point - origin) + beyond)};
   } else {
     return core(shape);
   }
@@ -117,7 +135,8 @@ bool is_approached(const A& a, const Vec<dimension_of<A>, double>& motion, const
     const auto& core_b = core_near(b, touch.point, beyond);
     const double radius = core_radius(a) + core_radius(b) + target;
     using Number = SupportNumber<std::decay_t<decltype(core_a)>, std::decay_t<decltype(core_b)>>;
-    return !do_pass<Number>(ConvexView<N>(core_a), motion, ConvexView<N>(core_b), radius, slack + touch.error);
+    return !do_pass<Number, scalar_of<A>>(Passing<N>{ConvexView<N>(core_a), ahead_of(a)}, motion,
+                                          Passing<N>{ConvexView<N>(core_b), ahead_of(b)}, radius, slack + touch.error);
   }
 }
 

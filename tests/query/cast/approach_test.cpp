@@ -16,7 +16,8 @@ namespace {
 
 template <Dim N, class A, class B>
 bool pass(const A& a, const Vec<N, double>& motion, const B& b, double radius = 0, double slack = 0) {
-  return detail::do_pass<double>(detail::ConvexView<N>(a), motion, detail::ConvexView<N>(b), radius, slack);
+  return detail::do_pass<double, double>(detail::Passing<N>{detail::ConvexView<N>(a)}, motion,
+                                         detail::Passing<N>{detail::ConvexView<N>(b)}, radius, slack);
 }
 
 TEST(Approach, BoxesPassAtAnEdgeAndMeetAboveIt) {
@@ -78,6 +79,20 @@ TEST(Approach, ARayIsSeenUpToBeyondTheTouch) {
   const Segment<2, double> seen = detail::core_near(ray, Vec<2, double>(50, 0), 7);
   EXPECT_EQ(seen.start, (Vec<2, double>(0, 0)));
   EXPECT_EQ(seen.end, (Vec<2, double>(57, 0)));
+}
+
+/// They cross three thousand lengths away.
+TEST(Approach, ARayThatLeadsAcrossTheMotionDoesNotPass) {
+  const Ray<2, double> mover{{1, 0}, {-1e-6, 0.003}};
+  const Ray<2, double> other{{0, 5}, {0, 0.3}};
+  const Vec<2, double> up(0, 1);
+  const CastOptions past_touches{true, 0};
+  const auto found = shape_cast(mover, up, other, past_touches);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->t, 0);
+  EXPECT_TRUE(shape_cast(other, -up, mover, past_touches));
+  EXPECT_FALSE(shape_cast(mover, -up, other, past_touches)) << "it moves out";
+  EXPECT_FALSE(shape_cast(Ray<2, double>{{1, 0}, {0, 1}}, up, other, past_touches)) << "parallel";
 }
 
 TEST(Approach, ANormalAgainstTheMotionEndsTheQuestion) {
