@@ -228,10 +228,10 @@ TEST(RestOfPath, InsideABoxItAcceptsTheSameBoxes) {
   for (int k = 0; k < 20'000; ++k) {
     const Vec<3, double> direction = point(-2, 2);
     if (max_abs(direction) == 0) continue;
-    detail::RestOfPath<3> rest(detail::Path<3>{point(-4, 16), direction, static_cast<double>(number(0, 20)) / 2});
+    detail::RestOfPath<3> rest(detail::Path<3>{point(-2, 14), direction, static_cast<double>(number(0, 20)) / 2});
     const auto inside = rest.inside(around);
-    const Vec<3, double> corner = point(0, 9);
-    const Box box{corner, corner + point(0, 3)};
+    const Vec<3, double> corner = point(0, 6);
+    const Box box{corner, corner + point(0, 6)};
     const Box grown{box.min - 1e-9, box.max + 1e-9};
     for (const double end : {1e9, 3.0, 1.0, 0.0}) {
       if (end < 1e9) rest.end_at(end);
