@@ -14,7 +14,7 @@ const views = [
   ["casts_space", "#rays?mode=cast&dimension=3&moving=obb&size=0.5&turn=90&x=-2.6&y=-0.7&z=1.4&to-x=2.4&to-y=0.9&to-z=1.2", {}],
   ["casts", "#rays?mode=cast&moving=obb&size=0.5&turn=90&x=-4.4&y=0.3&to-x=3.4&to-y=0.5", {}],
   ["walk", "#walk", {}, { key: "ArrowRight", until: ({ x }) => x > 1.9 }],
-  ["walk_space", "#walk?dimension=3&x=-2.9&y=2.7&z=0.01", {}, { key: "ArrowRight", until: ({ x }) => x > -1.2 }],
+  ["walk_space", "#walk?dimension=3&x=-1.11&y=2&z=0.61", {}],
   ["bounding_volumes", "#bounding-volumes", {}],
   ["quad_tree", "#trees?play=no", {}],
   ["octree", "#trees?play=no&dimension=3&count=60&radius=0.6", small],
