@@ -139,7 +139,8 @@ export interface Proximity {
   error: number;
 }
 
-/** Moving b by normal * depth is the minimum translation that separates the shapes. */
+/** Moving b by normal * depth is the minimum translation that separates the shapes. A negative depth is minus the
+ * distance of shapes that are apart, which only a margin admits. */
 export interface Contact {
   point: Point;
   pointA: Point;
@@ -217,6 +218,20 @@ export interface Motion {
   angular?: number | Vector;
   /** The position of the center at t = 0. */
   center?: Vector;
+}
+
+export interface CastOptions {
+  /** What is touched at the start and not approached does not stop the cast: a box that rests on a floor slides along
+   * it, leaves it, and still hits a wall. Default: false. */
+  ignoreInitialTouch?: boolean;
+  /** The cast stops when the shapes are this near: a length of 0 or more. Default: 0, when they touch. */
+  targetDistance?: number;
+}
+
+export interface ContactOptions {
+  /** Shapes that are up to this far apart have contacts too, with a negative depth: a length of 0 or more.
+   * Default: 0. */
+  margin?: number;
 }
 
 /** A ray as an argument; `type` may be omitted. */
@@ -436,6 +451,24 @@ export interface ObjectHit extends RayHit {
   id: ObjectId;
 }
 
+/** An object that a moving shape touches, and the first touch; the normal points towards the object. */
+export interface ObjectImpact extends Impact {
+  id: ObjectId;
+}
+
+/** An object that a shape touches or overlaps, and their contact; the normal points towards the object. At least one
+ * point. */
+export interface ObjectTouch extends Manifold {
+  id: ObjectId;
+}
+
+/** Two objects and their distance; 0 if they touch. */
+export interface NearPair {
+  a: ObjectId;
+  b: ObjectId;
+  distance: number;
+}
+
 /** The contact of the objects a and b, like `manifold` of their shapes; at least one point. */
 export interface ObjectContact extends Manifold {
   a: ObjectId;
@@ -465,9 +498,49 @@ export interface ContactArrays {
   contactIds: Uint32Array;
 }
 
-/** Only objects on these layers are found; default: all. */
-export interface LayerOptions {
+/** Which objects a query may find: those on some layers that are not excepted and that a predicate accepts; by default
+ * all. Rays and moving shapes pass through the others. */
+export interface SceneQuery {
+  /** The layers of the objects, by name or number. */
   layers?: readonly LayerName[];
+  /** Objects to leave out; ids of removed objects are ignored. For many ids use the predicate. */
+  except?: readonly ObjectId[] | Float64Array;
+  /** True for the objects that may be found. It is called for some objects, in any order, perhaps more than once. It
+   * may query the scene but must not change it. What it throws ends the query and reaches its caller. */
+  predicate?: (id: ObjectId) => boolean;
+}
+
+export interface SceneRayOptions extends SceneQuery {
+  /** Hits beyond this are ignored; default: infinity. */
+  tMax?: number;
+}
+
+export interface SceneCastOptions extends SceneQuery {
+  /** As in CastOptions. */
+  ignoreInitialTouch?: boolean;
+}
+
+/** What blocks a sliding shape, and what it can climb. The shape's own object should be among the exceptions. */
+export interface SlideOptions extends SceneQuery {
+  /** Against gravity, of any length but zero; default: along y. */
+  up?: Vector;
+  /** In radians, from 0 to a right angle: a steeper surface cannot be climbed. The shape glides down along it, but
+   * stops before it like before a wall when it walks towards it. Default: a right angle, so that every slope can be
+   * climbed. */
+  maxSlope?: number;
+  /** The height of the steps that the shape climbs, if it finds a place to stand there; a length. Default: 0. */
+  stepHeight?: number;
+  /** The shape stops this far from what is in its way; a length. What it is nearer to than half of that at the start,
+   * it first moves away from. Default: 0.001. */
+  clearance?: number;
+}
+
+/** Where a sliding shape ends, and what it met on its way. */
+export interface Slide {
+  /** From the start to the end of its path: move the shape by it. */
+  motion: Point;
+  /** In order of t. One object may be there several times. */
+  touches: ObjectImpact[];
 }
 
 export interface CheckOptions {
@@ -569,6 +642,12 @@ export interface Scene extends Disposable {
    * set since. Axis-aligned boxes become oriented ones. */
   pose(ids: Float64Array, poses: Numbers): void;
   remove(id: ObjectId): void;
+  /** Excludes a pair of objects, in any order: `update`, `pairs` and all other queries about pairs no longer report it.
+   * If it touched at the last update, the next one ends it. Files keep it. An Error if an id names no object, or both
+   * name the same. */
+  except(a: ObjectId, b: ObjectId): void;
+  /** Undoes `except`. */
+  accept(a: ObjectId, b: ObjectId): void;
   /** Moves the objects with a velocity to their positions at the given time in seconds, as `graze simulate` does:
    * relative to their positions in the file, whatever has moved them since. All of them or, with an Error, none. */
   moveToTime(seconds: number): void;
@@ -583,6 +662,12 @@ export interface Scene extends Disposable {
   contactArrays(): ContactArrays;
   /** All pairs whose boxes overlap and whose layers may touch. */
   candidates(): Float64Array;
+  /** All pairs that are at most this far apart, with their distances; ascending by pair. */
+  closestPairs(within: number): NearPair[];
+  /** Whether `except` has named these two objects, in any order. */
+  excepted(a: ObjectId, b: ObjectId): boolean;
+  /** All excepted pairs: a0, b0, a1, b1, ...; ascending. */
+  exceptedPairs(): Float64Array;
 
   contains(id: ObjectId): boolean;
   object(id: ObjectId): SceneObject;
@@ -597,14 +682,33 @@ export interface Scene extends Disposable {
   readonly layerNames: string[];
 
   /** The objects that touch or overlap a region. */
-  overlapping(region: Shape, options?: LayerOptions): Float64Array;
+  overlapping(region: Shape, options?: SceneQuery): Float64Array;
   /** The objects whose boxes touch or overlap a region, such as a view volume: faster. */
-  cull(region: Shape, options?: LayerOptions): Float64Array;
-  nearest(point: Vector, count: number, options?: LayerOptions): NearObject[];
+  cull(region: Shape, options?: SceneQuery): Float64Array;
+  /** The objects that touch or overlap a shape, and where: for each the `manifold` of the shape and the object. The
+   * shape need not be an object. Ascending by id. */
+  contactsWith(shape: Shape, options?: SceneQuery): ObjectTouch[];
+  /** The `count` objects nearest to a point or a shape, or all if there are fewer: by `distance`, ties by id; 0 for all
+   * that touch the shape. */
+  nearest(from: Vector | Shape, count: number, options?: SceneQuery): NearObject[];
   /** The first hit. */
-  rayCast(ray: RayLike, options?: LayerOptions & { tMax?: number }): ObjectHit | null;
+  rayCast(ray: RayLike, options?: SceneRayOptions): ObjectHit | null;
   /** All hits, in order of t. */
-  rayCastAll(ray: RayLike, options?: LayerOptions & { tMax?: number }): ObjectHit[];
+  rayCastAll(ray: RayLike, options?: SceneRayOptions): ObjectHit[];
+
+  /** The first object that a shape touches as it moves by `motion`, of several the one with the lowest id: the earliest
+   * `shapeCast` of the shape at any object. The shape need not be an object; an object that is cast from its own place
+   * excepts itself. */
+  shapeCast(shape: Shape, motion: Vector, options?: SceneCastOptions): ObjectImpact | null;
+  /** All objects that it touches, each with its first touch, in order of t: it passes through what it touches. */
+  shapeCastAll(shape: Shape, motion: Vector, options?: SceneCastOptions): ObjectImpact[];
+  /** The first object that a shape touches as it moves and rotates: the earliest `timeOfImpact` of the shape and any
+   * object, which does not move. `shapeCast` is cheaper without rotation. */
+  timeOfImpact(shape: Shape, motion: Motion, options?: SceneQuery): ObjectImpact | null;
+  /** Moves a shape along `motion`, and where it meets an object, along its surface: a character that walks along walls,
+   * up slopes and steps. The scene does not change; move the shape by the resulting motion. It passes through nothing,
+   * and never ends in an overlap with an object that it did not overlap at the start. */
+  slide(shape: Shape, motion: Vector, options?: SlideOptions): Slide;
 
   check(options?: CheckOptions): CheckReport;
   checkPairs(options?: CheckOptions): CheckedPairs;
@@ -630,12 +734,12 @@ export interface Graze {
   closestPoints(a: Shape, b: Shape): Proximity;
   /** The distance or, if the shapes touch or overlap, minus the depth of their contact, with its points and normal. */
   separation(a: Shape, b: Shape): Proximity;
-  contact(a: Shape, b: Shape): Contact | null;
-  manifold(a: Shape, b: Shape): Manifold;
+  contact(a: Shape, b: Shape, options?: ContactOptions): Contact | null;
+  manifold(a: Shape, b: Shape, options?: ContactOptions): Manifold;
 
   /** The first contact of a, which moves by `motion` without rotation, and b, which does not move; null if there is
    * none. For any two shapes. */
-  shapeCast(a: Shape, motion: Vector, b: Shape): Impact | null;
+  shapeCast(a: Shape, motion: Vector, b: Shape, options?: CastOptions): Impact | null;
   /** The first contact of moving and rotating shapes, for any two. A missing motion means no motion. */
   timeOfImpact(a: Shape, motionA: Motion, b: Shape, motionB?: Motion): Impact | null;
 

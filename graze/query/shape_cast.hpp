@@ -134,7 +134,9 @@ template <class A, class B>
     const A& a, const Vec<dimension_of<A>, double>& motion, const B& b, double target) {
   const auto start = penetration_within(a, b, target);
   auto found = start ? cast_hit_at_start(*start) : cast_hit_up_to(a, motion, b, target);
-  if (found && !is_approached(a, motion, b, target, *found)) found.reset();
+  if (!found) return found;
+  const bool is_near = !start && found->t * sum_abs(motion) <= found->error;
+  if ((is_near && !is_shortened(a, motion, b)) || !is_approached(a, motion, b, target, *found)) found.reset();
   return found;
 }
 

@@ -132,7 +132,10 @@ class Slider {
     const double t = wall ? static_cast<double>(wall->impact.t) : 1;
     place_ += Vec<N, T>(ahead * t);
     const auto ground = first_hit(down);
-    if (place_ == raised || !ground || !(is_ground(wide(ground->impact.normal)) || is_ground_ahead(ahead, down))) {
+    const auto is_ground_ahead = [&] {
+      return is_ground_at(half_width_along(ahead), ahead, down) || is_ground_at(half_width_, ahead, down);
+    };
+    if (place_ == raised || !ground || !(is_ground(wide(ground->impact.normal)) || is_ground_ahead())) {
       place_ = before;
       return false;
     }
@@ -143,11 +146,22 @@ class Slider {
     return true;
   }
 
+  /// Half of the extent of the shape's box along a direction; 0 for an unbounded shape.
+  double half_width_along(const Offset& direction) const {
+    const Aabb<N, T> box = bounds(shape_);
+    double half = 0;
+    for (Dim axis = 0; axis < N; ++axis) {
+      half += std::fabs(direction[axis]) * static_cast<double>(box.max[axis] - box.min[axis]) / 2;
+    }
+    half /= std::sqrt(dot(direction, direction));
+    return std::isfinite(half) ? half : 0;
+  }
+
   /// A round shape first meets a step's edge with its side, which is steep. It climbs if there is ground where its
-  /// middle will be.
-  bool is_ground_ahead(const Offset& ahead, const Offset& down) {
+  /// middle will be, this far ahead: at least half of its width, and more if it walks at an angle to the step.
+  bool is_ground_at(double distance, const Offset& ahead, const Offset& down) {
     const Vec<N, T> before = place_;
-    place_ = place_after(ahead * (half_width_ / std::sqrt(dot(ahead, ahead))));
+    place_ = place_after(ahead * (distance / std::sqrt(dot(ahead, ahead))));
     const auto ground = first_hit(down);
     place_ = before;
     return ground && is_ground(wide(ground->impact.normal));

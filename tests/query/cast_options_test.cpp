@@ -254,6 +254,34 @@ TEST(CastOptions, EveryTwoShapesStopAtTheTargetDistance) {
 
 // ---- Users' shapes and unusual numbers
 
+/// Shapes that are as near as the target up to rounding, from where another cast has stopped.
+template <Dim N, class T>
+void expect_every_pair_leaves_its_stop() {
+  const Vec<N, T> way = unit_axis<N, T>(0) * T(6);
+  for (std::size_t a = 0; a < row_types; ++a) {
+    for (std::size_t b = 0; b < row_types; ++b) {
+      const AnyShape<N, T> left = moved<N, T>(row_shape<N, T>(a, T(1)), unit_axis<N, T>(0) * T(-6));
+      const AnyShape<N, T> right = moved<N, T>(row_shape<N, T>(b, T(-1)), unit_axis<N, T>(0) * T(-1));
+      const auto stop = shape_cast(left, way, right, CastOptions{false, 0.01});
+      ASSERT_TRUE(stop.has_value()) << a << " against " << b;
+      const AnyShape<N, T> there = moved<N, T>(left, way * stop->t);
+      const auto gap = static_cast<double>(distance(there, right));
+      for (int i = -32; i <= 32; i += 4) {
+        const CastOptions options{true, gap + i * 0x1p-53};
+        EXPECT_FALSE(shape_cast(there, -way, right, options).has_value()) << a << " against " << b << ", " << i;
+        EXPECT_TRUE(shape_cast(there, way, right, options).has_value()) << a << " against " << b << ", " << i;
+      }
+    }
+  }
+}
+
+TEST(CastOptions, EveryTwoShapesLeaveEachOtherFromTheTargetDistance) {
+  expect_every_pair_leaves_its_stop<2, float>();
+  expect_every_pair_leaves_its_stop<2, double>();
+  expect_every_pair_leaves_its_stop<3, float>();
+  expect_every_pair_leaves_its_stop<3, double>();
+}
+
 TEST(CastOptions, UsersShapesSlideAndStopToo) {
   const user::Ellipsoid<double> egg{{0, 2, 0}, {1, 2, 1}};
   const Aabb<3, double> floor = box<3, double>(-9, -1, 9, 0);

@@ -54,6 +54,17 @@ TEST(Slide, AlongAWallGoesWhatIsLeftOfTheMotionAlongIt) {
   EXPECT_EQ(moved.touches[0].impact.normal, V2(1, 0));
 }
 
+TEST(Slide, LeavesAWallAtWhichItHasStopped) {
+  World scene;
+  scene.add(HalfSpace<2, double>{{0, 1}, 0});
+  scene.add(Box{{1, 0}, {2, 3}});
+  // Its distance from the wall exceeds the clearance by rounding.
+  const Capsule<2, double> capsule{{0.69, 0.31}, {0.69, 0.91}, 0.3};
+  const Slide<2, double> moved = slide(scene, capsule, {-0.0625, 0}, {.clearance = 0.01});
+  EXPECT_EQ(moved.motion, V2(-0.0625, 0));
+  EXPECT_TRUE(moved.touches.empty());
+}
+
 TEST(Slide, EndsInACorner) {
   World scene;
   const ObjectId wall = scene.add(Box{{2, -50}, {3, 50}});
@@ -132,6 +143,19 @@ TEST(Slide, ClimbsStepsUpToTheirHeight) {
       EXPECT_NEAR(moved.motion.y, 0, 1e-9) << height;
     }
   }
+}
+
+TEST(Slide, ClimbsStairsWhoseTreadsAreAsWideAsItIs) {
+  World scene;
+  scene.add(HalfSpace<2, double>{{0, 1}, 0});
+  for (int i = 0; i < 5; ++i) scene.add(Box{{1 + 0.6 * i, 0}, {1.6 + 0.6 * i, 0.3 * (i + 1)}});
+  V2 place{0, clearance};
+  for (int frame = 0; frame < 120; ++frame) {
+    const Capsule<2, double> capsule{{place.x, place.y + 0.3}, {place.x, place.y + 0.9}, 0.3};
+    place += slide(scene, capsule, {0.03125, 0}, {.max_slope = 50 * degree, .step_height = 0.35}).motion;
+  }
+  EXPECT_GT(place.x, 3.4) << "it is above the last of them";
+  EXPECT_NEAR(place.y, 1.5, 0.01);
 }
 
 TEST(Slide, MovesOutOfWhatItOverlapsAtTheStart) {

@@ -71,6 +71,14 @@ export class Board {
     if (this.#editor.selected !== undefined) parameters.set("selected", String(this.#editor.selected));
   }
 
+  /** Whether the shapes are the default ones, so that a link need not contain them. */
+  get isUsual(): boolean {
+    const { dimension } = this.#kit;
+    const usual = shapesOfText(this.#options.usual[dimension], dimension) ?? [];
+    const kept = dimension === 2 ? usual : usual.map((shape) => this.#context.graze.normalised(shape));
+    return textOfShapes(this.shapes) === textOfShapes(kept);
+  }
+
   /** A control to choose between 2D and 3D. */
   dimensionSwitch(): HTMLElement {
     return dimensionChoice([2, 3], this.dimension, (dimension) => this.#show(dimension));

@@ -2,7 +2,7 @@
 import { element } from "./dom";
 
 const keys: readonly (readonly [string, string])[] = [
-  ["1 … 7", "the tabs"],
+  ["1 … 8", "the tabs"],
   ["Tab", "the next shape, handle or control"],
   ["← → ↑ ↓", "move the focused shape or handle, or else the view; Shift: ten times as far, Alt: one pixel"],
   ["[ ]", "rotate the selected shape, in 3D about the vertical axis"],
@@ -10,7 +10,7 @@ const keys: readonly (readonly [string, string])[] = [
   ["< >", "shrink or enlarge it"],
   ["Delete", "remove it"],
   ["Escape", "clear the selection"],
-  ["Space", "play or pause"],
+  ["Space", "play or pause; in Walk, where arrows walk: jump"],
   [". ,", "one step; in a scene one frame forward or back"],
   ["/ Z", "in a scene: search, zoom to the selection"],
   ["+ − 0", "zoom in, out, show all"],

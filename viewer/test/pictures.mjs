@@ -13,6 +13,8 @@ const views = [
   ["rays_space", "#rays?mode=fan&dimension=3&rays=1440", {}],
   ["casts_space", "#rays?mode=cast&dimension=3&moving=obb&size=0.5&turn=90&x=-2.6&y=-0.7&z=1.4&to-x=2.4&to-y=0.9&to-z=1.2", {}],
   ["casts", "#rays?mode=cast&moving=obb&size=0.5&turn=90&x=-4.4&y=0.3&to-x=3.4&to-y=0.5", {}],
+  ["walk", "#walk", {}, { key: "ArrowRight", until: ({ x }) => x > 1.9 }],
+  ["walk_space", "#walk?dimension=3&x=-1.11&y=2&z=0.61", {}],
   ["bounding_volumes", "#bounding-volumes", {}],
   ["quad_tree", "#trees?play=no", {}],
   ["octree", "#trees?play=no&dimension=3&count=60&radius=0.6", small],
@@ -25,12 +27,21 @@ const views = [
   ["phone", "#trees?play=no", { viewport: { width: 390, height: 760 } }],
 ];
 
+/** Holds a key down until the place in the link fulfils a condition. */
+async function walkTo(page, { key, until }) {
+  const place = async () => Object.fromEntries([...new URLSearchParams(new URL(page.url()).hash.split("?")[1])].map(([name, text]) => [name, Number(text)]));
+  await page.keyboard.down(key);
+  for (let i = 0; i < 100 && !until(await place()); ++i) await page.waitForTimeout(100);
+  await page.keyboard.up(key);
+}
+
 const only = process.argv.slice(2);
 const folder = process.env.GRAZE_PICTURES ?? `${root}docs/pictures/`;
 const [browser, server] = await Promise.all([openBrowser(), serveViewer()]);
-for (const [name, hash, options] of views) {
+for (const [name, hash, options, walk] of views) {
   if (only.length > 0 && !only.includes(name)) continue;
   const { page, heard } = await openPage(browser, `${server.address}${hash}`, { viewport: { width: 1100, height: 660 }, ...options });
+  if (walk !== undefined) await walkTo(page, walk);
   for (let i = 0; i < 8 && hash.includes("play=no"); ++i) await page.keyboard.press(".");
   await page.waitForTimeout(500);
   await page.screenshot({ path: `${folder}viewer_${name}.png` });

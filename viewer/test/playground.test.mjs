@@ -33,7 +33,7 @@ function follow(page, hash) {
   }), hash);
 }
 
-const chapters = ["intersections", "closest-points", "rays", "bounding-volumes", "trees", "broad-phase", "scene"];
+const chapters = ["intersections", "closest-points", "rays", "walk", "bounding-volumes", "trees", "broad-phase", "scene"];
 const twoCircles = "#intersections?shapes=sphere:-2,0,1;sphere:2,0,1";
 const isOrange = ([red, green, blue]) => red > 200 && red - blue > 60 && green > blue;
 

@@ -2,6 +2,7 @@
 // The first contact of moving shapes.
 import { refused, shape, vector } from "./arguments.js";
 import { finiteNumber, numbersOf } from "./core.js";
+import { known, lengthOf, yesOrNo } from "./options.js";
 
 const zeros = [null, null, [0, 0], [0, 0, 0]];
 
@@ -10,7 +11,7 @@ const unknownField = (motion) =>
   Object.keys(motion).find((name) => name !== "linear" && name !== "angular" && name !== "center");
 
 /** Translation, rotation and center as consecutive numbers; missing fields are zero. */
-const motion = (role) => ({
+export const motion = (role) => ({
   write(args, value, n) {
     if (n === 0 || typeof value !== "object" || value === null || unknownField(value) !== undefined) return refused;
     const { linear = zeros[n], angular = n === 2 ? 0 : zeros[n], center = zeros[n] } = value;
@@ -19,6 +20,9 @@ const motion = (role) => ({
     return args.vector(center, n);
   },
   spell(core, value, n) {
+    if (typeof value !== "object" || value === null) {
+      throw new Error(`${role}: must be an object with any of the fields "linear", "angular", "center"`);
+    }
     const unknown = unknownField(value);
     if (unknown !== undefined) {
       throw new Error(`${role}: unknown field "${unknown}"; the fields are "linear", "angular", "center"`);
@@ -38,7 +42,14 @@ const motions = [shape("a"), shape("b"), motion("motionA"), motion("motionB")];
 const readImpact = (result, answer) => (answer.isAtEnd ? null : answer.hit());
 
 export const casts = (core) => ({
-  shapeCast: (a, way, b) => core.arguments.ask(linearMotion, [a, b, way], core.module.shapeCast, readImpact),
+  shapeCast(a, way, b, options) {
+    const { ignoreInitialTouch = false, targetDistance = 0 } = known(options, ["ignoreInitialTouch", "targetDistance"]);
+    const ignores = yesOrNo(ignoreInitialTouch, "ignoreInitialTouch");
+    const distance = lengthOf(targetDistance, "targetDistance");
+    const ask = (dimension, place) => core.module.shapeCast(dimension, place, ignores, distance);
+    return core.arguments.ask(linearMotion, [a, b, way], ask, readImpact);
+  },
+
   timeOfImpact: (a, motionA, b, motionB = {}) =>
     core.arguments.ask(motions, [a, b, motionA, motionB], core.module.timeOfImpact, readImpact),
 });

@@ -2,6 +2,7 @@
 // Queries about one or two shapes.
 import { point, ray, shape } from "./arguments.js";
 import { knownDimension, rowsOf, statusOf } from "./core.js";
+import { known, lengthOf } from "./options.js";
 import { dimensionOf } from "./text.js";
 
 const relations = ["apart", "touching", "overlapping"];
@@ -35,7 +36,23 @@ const pairReaders = {
   distance: readNumber,
   closestPoints: readProximity,
   separation: readProximity,
+};
 
+export const readManifold = (answer) => ({
+  normal: answer.vector(),
+  status: statusOf(answer.number()),
+  error: answer.number(),
+  points: Array.from({ length: answer.number() }, () => ({
+    point: answer.vector(),
+    pointA: answer.vector(),
+    pointB: answer.vector(),
+    depth: answer.number(),
+    id: readContactId(answer),
+  })),
+});
+
+/** These queries accept a margin. */
+const contactReaders = {
   contact(result, answer) {
     if (answer.isAtEnd) return null;
     return {
@@ -49,24 +66,7 @@ const pairReaders = {
     };
   },
 
-  manifold(result, answer) {
-    const manifold = {
-      points: [],
-      normal: answer.vector(),
-      status: statusOf(answer.number()),
-      error: answer.number(),
-    };
-    while (!answer.isAtEnd) {
-      manifold.points.push({
-        point: answer.vector(),
-        pointA: answer.vector(),
-        pointB: answer.vector(),
-        depth: answer.number(),
-        id: readContactId(answer),
-      });
-    }
-    return manifold;
-  },
+  manifold: (result, answer) => readManifold(answer),
 };
 
 const pointReaders = {
@@ -87,6 +87,10 @@ const rayAndShape = [ray, shape("shape")];
 
 const pairQueries = ({ module, arguments: args }) => ({
   ...functionsOf(pairReaders, (name, read) => (a, b) => args.ask(twoShapes, [a, b], module[name], read)),
+  ...functionsOf(contactReaders, (name, read) => (a, b, options) => {
+    const margin = lengthOf(known(options, ["margin"]).margin ?? 0, "margin");
+    return args.ask(twoShapes, [a, b], (dimension, place) => module[name](dimension, place, margin), read);
+  }),
   intersects: (a, b) => args.ask(twoShapes, [a, b], module.relation, (result) => result !== 0),
 });
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Scenes, created in memory or read from files.
-import { point, ray, shape, shapes } from "./arguments.js";
-import { askAbout, finiteNumber, Held, knownDimension, Reader, rowsOf, statusOf, wholeNumber } from "./core.js";
+import { shape, shapes } from "./arguments.js";
+import { askAbout, finiteNumber, Held, knownDimension, Reader, rowsOf, statusOf } from "./core.js";
+import { isAsked, lengthOf } from "./options.js";
 import { readContactId } from "./queries.js";
-import { layersText, textOf } from "./text.js";
+import { withQueries } from "./scene_queries.js";
+import { textOf } from "./text.js";
 
 const aShape = [shape("shape")];
 const manyShapes = [shapes("shapes")];
-const aRegion = [shape("region")];
-const aRay = [ray];
-const aPoint = [point];
 
 /** The options of an object, as C++ reads them. */
 function optionsText({ fixed, ...rest } = {}) {
@@ -28,21 +27,31 @@ function layersOf(low, high) {
 
 /** Methods that change a scene. */
 class ChangingScene extends Held {
+  /** For calls that change the scene. */
+  get changing() {
+    if (!isAsked(this)) return this.handle;
+    throw new Error("predicate: it must not change the scene that asks it; change it after the query");
+  }
+
+  delete() {
+    if (this.changing) super.delete();
+  }
+
   add(added, options) {
     const words = optionsText(options);
-    return askAbout(this, aShape, added, (place) => this.handle.add(place, words));
+    return askAbout(this, aShape, added, (place) => this.changing.add(place, words));
   }
 
   addMany(added, options) {
     const words = optionsText(options);
-    const add = (place) => this.handle.addMany(place, words);
+    const add = (place) => this.changing.addMany(place, words);
     return askAbout(this, manyShapes, added, add, () => this.core.answer().slice());
   }
 
   #addRows(method, rows, width, role, options) {
     const count = rowsOf(rows, width, role);
     this.core.give([rows]);
-    this.core.checked(this.handle[method](count, optionsText(options)));
+    this.core.checked(this.changing[method](count, optionsText(options)));
     return this.core.answer().slice();
   }
 
@@ -55,14 +64,14 @@ class ChangingScene extends Held {
   }
 
   move(id, to) {
-    askAbout(this, aShape, to, (place) => this.handle.move(id, place));
+    askAbout(this, aShape, to, (place) => this.changing.move(id, place));
   }
 
   #moveRows(method, ids, rows, width, role) {
     const count = rowsOf(rows, width, role);
     if (count !== ids.length) throw new Error(`${role}: there are ${count} for ${ids.length} ids`);
     this.core.give([ids, rows]);
-    this.core.checked(this.handle[method](count));
+    this.core.checked(this.changing[method](count));
   }
 
   translate(ids, offsets) {
@@ -86,19 +95,27 @@ class ChangingScene extends Held {
   }
 
   moveToTime(seconds) {
-    this.core.checked(this.handle.moveToTime(finiteNumber(seconds, "seconds")));
+    this.core.checked(this.changing.moveToTime(finiteNumber(seconds, "seconds")));
   }
 
   remove(id) {
-    this.core.checked(this.handle.remove(id));
+    this.core.checked(this.changing.remove(id));
+  }
+
+  except(a, b) {
+    this.core.checked(this.changing.except(a, b));
+  }
+
+  accept(a, b) {
+    this.core.checked(this.changing.accept(a, b));
   }
 
   layer(name) {
-    return this.core.checked(this.handle.layer(name));
+    return this.core.checked(this.changing.layer(name));
   }
 
   update() {
-    this.core.checked(this.handle.update());
+    this.core.checked(this.changing.update());
     const [began, stayed] = this.core.answer();
     const pairs = this.core.answer().subarray(2);
     return {
@@ -109,8 +126,8 @@ class ChangingScene extends Held {
   }
 }
 
-/** Methods that query it. */
-class Scene extends ChangingScene {
+/** Queries on all of it. */
+class Scene extends withQueries(ChangingScene) {
   constructor(core, handle) {
     super(core, handle);
     const { source, format, yAxis, dimension, omissions } = this.#head();
@@ -196,6 +213,21 @@ class Scene extends ChangingScene {
     return this.#list("Candidates");
   }
 
+  closestPairs(within) {
+    const answer = this.#read("ClosestPairs", lengthOf(within, "within"));
+    const pairs = [];
+    while (!answer.isAtEnd) pairs.push({ a: answer.number(), b: answer.number(), distance: answer.number() });
+    return pairs;
+  }
+
+  excepted(a, b) {
+    return this.#ask("Excepted", a, b);
+  }
+
+  exceptedPairs() {
+    return this.#list("ExceptedPairs");
+  }
+
   contains(id) {
     return this.#ask("Contains", id);
   }
@@ -226,47 +258,6 @@ class Scene extends ChangingScene {
   boxes(ids) {
     if (ids !== undefined) this.core.give([ids]);
     return this.#list("Boxes", ids?.length ?? 0, ids === undefined);
-  }
-
-  /** Finds the objects on some layers for a value. */
-  #askLayers(name, kinds, value, layers, read, ...values) {
-    const among = layersText(layers);
-    const ask = (place) => this.core.module[`scene${name}`](this.handle, place, among, ...values);
-    return askAbout(this, kinds, value, ask, read);
-  }
-
-  overlapping(region, { layers } = {}) {
-    return this.#askLayers("Overlapping", aRegion, region, layers, () => this.core.answer().slice());
-  }
-
-  cull(region, { layers } = {}) {
-    return this.#askLayers("Cull", aRegion, region, layers, () => this.core.answer().slice());
-  }
-
-  nearest(from, count, { layers } = {}) {
-    const read = (result, answer) => {
-      const found = [];
-      while (!answer.isAtEnd) found.push({ id: answer.number(), distance: answer.number() });
-      return found;
-    };
-    return this.#askLayers("Nearest", aPoint, from, layers, read, wholeNumber(count, "count"));
-  }
-
-  #castRay(name, along, { tMax = Infinity, layers } = {}) {
-    const read = (result, answer) => {
-      const hits = [];
-      while (!answer.isAtEnd) hits.push({ id: answer.number(), ...answer.hit() });
-      return hits;
-    };
-    return this.#askLayers(name, aRay, along, layers, read, tMax);
-  }
-
-  rayCast(along, options) {
-    return this.#castRay("RayCast", along, options)[0] ?? null;
-  }
-
-  rayCastAll(along, options) {
-    return this.#castRay("RayCastAll", along, options);
   }
 
   check({ interior = false } = {}) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <graze/math/motion.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/ray.hpp>
@@ -38,6 +39,20 @@ class Arguments {
 
   template <Dim N>
   Ray<N, double> ray();
+
+  /// The translation, the rotation and the center.
+  template <Dim N>
+  Motion<N, double> motion() {
+    Motion<N, double> motion;
+    motion.linear = vector<N>();
+    if constexpr (N == 2) {
+      motion.angular = number();
+    } else {
+      motion.angular = vector<N>();
+    }
+    motion.center = vector<N>();
+    return motion;
+  }
 
   /// A count, then that many shapes.
   template <Dim N>

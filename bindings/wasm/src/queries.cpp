@@ -23,14 +23,10 @@
 
 #include "arguments.hpp"
 #include "bridge.hpp"
+#include "results.hpp"
 
 namespace graze::wasm {
 namespace {
-
-void put_end(Status status, double error) {
-  answer().push_back(status == Status::converged ? 0 : 1);
-  answer().push_back(error);
-}
 
 /// Calls ask(a, b) with two shapes from the arguments.
 template <class Ask>
@@ -88,9 +84,9 @@ void separation_of(int dimension, std::size_t place) {
 }
 
 /// point, point_a, point_b, normal, depth, status, error; empty if the shapes are apart
-void contact_of(int dimension, std::size_t place) {
-  about_pair(dimension, place, []<Dim N>(const AnyShape<N, double>& a, const AnyShape<N, double>& b) {
-    const auto found = contact(a, b);
+void contact_of(int dimension, std::size_t place, double margin) {
+  about_pair(dimension, place, [margin]<Dim N>(const AnyShape<N, double>& a, const AnyShape<N, double>& b) {
+    const auto found = contact(a, b, {.margin = margin});
     if (!found) return;
     put<N>(found->point);
     put<N>(found->point_a);
@@ -101,28 +97,10 @@ void contact_of(int dimension, std::size_t place) {
   });
 }
 
-void put_feature(const Feature& feature) {
-  answer().push_back(static_cast<double>(feature.kind));
-  answer().push_back(feature.index);
-}
-
-/// normal, status, error, then for each point: point, point_a, point_b, depth, and the id: kind and index of a's
-/// feature and of b's, part of a and of b
-void manifold_of(int dimension, std::size_t place) {
-  about_pair(dimension, place, []<Dim N>(const AnyShape<N, double>& a, const AnyShape<N, double>& b) {
-    const Manifold<N, double> found = manifold(a, b);
-    put<N>(found.normal);
-    put_end(found.status, found.error);
-    for (const ManifoldPoint<N, double>& point : found.contacts()) {
-      put<N>(point.point);
-      put<N>(point.point_a);
-      put<N>(point.point_b);
-      answer().push_back(point.depth);
-      put_feature(point.id.a);
-      put_feature(point.id.b);
-      answer().push_back(point.id.part_a);
-      answer().push_back(point.id.part_b);
-    }
+/// As put_manifold describes.
+void manifold_of(int dimension, std::size_t place, double margin) {
+  about_pair(dimension, place, [margin]<Dim N>(const AnyShape<N, double>& a, const AnyShape<N, double>& b) {
+    put_manifold<N>(manifold(a, b, {.margin = margin}));
   });
 }
 
@@ -133,11 +111,7 @@ void ray_cast_of(int dimension, std::size_t place, double t_max, bool at_exit) {
     const Ray<n, double> ray = in.ray<n>();
     const RayOptions options{at_exit ? RaySide::exit : RaySide::entry};
     const auto hit = ray_cast(in.shape<n>(), ray, t_max, options);
-    if (!hit) return;
-    answer().push_back(hit->t);
-    put<n>(hit->point);
-    put<n>(hit->normal);
-    put_end(hit->status, hit->error);
+    if (hit) put_hit<n>(*hit);
   });
 }
 

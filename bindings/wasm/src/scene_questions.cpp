@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Queries on scenes. scenes.cpp contains the functions that change them.
+// Queries on all of a scene. scene_queries.cpp contains those that find objects for a shape, a point or a ray;
+// scenes.cpp the functions that change scenes.
 #include <chrono>
 #include <cstddef>
 #include <sstream>
@@ -18,6 +19,7 @@
 #include <graze/scene/scene.hpp>
 
 #include "arguments.hpp"
+#include "results.hpp"
 #include "scenes.hpp"
 
 namespace graze::wasm {
@@ -31,17 +33,8 @@ void put_pairs(const std::vector<ObjectPair>& pairs) {
   }
 }
 
-void put_ids(const std::vector<ObjectId>& ids) {
-  for (const ObjectId id : ids) put_id(id);
-}
-
 void pairs(SceneHandle& self) {
   self.visit([](const auto& scene) { put_pairs(scene.pairs()); });
-}
-
-void put_feature(const Feature& feature) {
-  answer().push_back(static_cast<double>(feature.kind));
-  answer().push_back(feature.index);
 }
 
 /// Column by column: the numbers of pairs and of points; for each pair both ids, its number of points, normal, status
@@ -76,17 +69,31 @@ void contacts(SceneHandle& self) {
     for_points([](const auto& point) { put<N>(point.point_a); });
     for_points([](const auto& point) { put<N>(point.point_b); });
     for_points([](const auto& point) { answer().push_back(point.depth); });
-    for_points([](const auto& point) {
-      put_feature(point.id.a);
-      put_feature(point.id.b);
-      answer().push_back(point.id.part_a);
-      answer().push_back(point.id.part_b);
-    });
+    for_points([](const auto& point) { put_contact_id(point.id); });
   });
 }
 
 void candidates(SceneHandle& self) {
   self.visit([](const auto& scene) { put_pairs(scene.candidates()); });
+}
+
+/// For each pair both ids and the distance.
+void closest_pairs(SceneHandle& self, double within) {
+  self.visit([within](const auto& scene) {
+    for (const NearPair<double>& near : scene.closest_pairs(within)) {
+      put_id(near.pair.a);
+      put_id(near.pair.b);
+      answer().push_back(near.distance);
+    }
+  });
+}
+
+bool excepted(SceneHandle& self, double a, double b) {
+  return self.visit([&](const auto& scene) { return scene.excepted(self.id_of(a), self.id_of(b)); });
+}
+
+void excepted_pairs(SceneHandle& self) {
+  self.visit([](const auto& scene) { put_pairs(scene.excepted_pairs()); });
 }
 
 void ids(SceneHandle& self) {
@@ -157,55 +164,6 @@ std::size_t size(SceneHandle& self) {
   return self.visit([](const auto& scene) { return scene.size(); });
 }
 
-void overlapping(SceneHandle& self, std::size_t place, std::string layers) {
-  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
-    put_ids(scene.overlapping(Arguments(place).shape<N>(), mask_of_words(layers, scene.layer_names())));
-  });
-}
-
-void cull(SceneHandle& self, std::size_t place, std::string layers) {
-  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
-    put_ids(scene.cull(Arguments(place).shape<N>(), mask_of_words(layers, scene.layer_names())));
-  });
-}
-
-void nearest(SceneHandle& self, std::size_t place, std::string layers, std::size_t count) {
-  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
-    const Vec<N, double> from = Arguments(place).vector<N>();
-    for (const NearObject<double>& near : scene.nearest(from, count, mask_of_words(layers, scene.layer_names()))) {
-      put_id(near.id);
-      answer().push_back(near.distance);
-    }
-  });
-}
-
-/// For each hit: id, t, point, normal, status, error.
-template <Dim N>
-void put_hit(const ObjectHit<N, double>& found) {
-  put_id(found.id);
-  answer().push_back(found.hit.t);
-  put<N>(found.hit.point);
-  put<N>(found.hit.normal);
-  answer().push_back(found.hit.status == Status::converged ? 0 : 1);
-  answer().push_back(found.hit.error);
-}
-
-void ray_cast_scene(SceneHandle& self, std::size_t place, std::string layers, double t_max) {
-  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
-    const auto hit = scene.ray_cast(Arguments(place).ray<N>(), t_max, mask_of_words(layers, scene.layer_names()));
-    if (hit) put_hit<N>(*hit);
-  });
-}
-
-void ray_cast_all(SceneHandle& self, std::size_t place, std::string layers, double t_max) {
-  self.visit([&]<Dim N>(const Scene<N, double>& scene) {
-    for (const auto& hit :
-         scene.ray_cast_all(Arguments(place).ray<N>(), t_max, mask_of_words(layers, scene.layer_names()))) {
-      put_hit<N>(hit);
-    }
-  });
-}
-
 /// Calls found(pair, relation) for every pair that touches, or only for overlapping ones.
 template <Dim N, class Found>
 io::ReportSummary check(const Scene<N, double>& scene, bool only_interior, const Found& found) {
@@ -263,10 +221,6 @@ std::string to_json(SceneHandle& self) {
   return out.str();
 }
 
-/// A const method: embind requires methods of the registered class, hence functions that take the scene.
-template <auto question>
-constexpr auto asked = &Guarded<question>::call;
-
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(graze_scene_questions) {
@@ -274,6 +228,9 @@ EMSCRIPTEN_BINDINGS(graze_scene_questions) {
   function("scenePairs", asked<&pairs>);
   function("sceneContacts", asked<&contacts>);
   function("sceneCandidates", asked<&candidates>);
+  function("sceneClosestPairs", asked<&closest_pairs>);
+  function("sceneExcepted", asked<&excepted>);
+  function("sceneExceptedPairs", asked<&excepted_pairs>);
   function("sceneIds", asked<&ids>);
   function("sceneContains", asked<&contains_id>);
   function("sceneBoxes", asked<&boxes>);
@@ -282,11 +239,6 @@ EMSCRIPTEN_BINDINGS(graze_scene_questions) {
   function("sceneFind", asked<&find>);
   function("sceneHead", asked<&head>);
   function("sceneSize", asked<&size>);
-  function("sceneOverlapping", asked<&overlapping>);
-  function("sceneCull", asked<&cull>);
-  function("sceneNearest", asked<&nearest>);
-  function("sceneRayCast", asked<&ray_cast_scene>);
-  function("sceneRayCastAll", asked<&ray_cast_all>);
   function("sceneCheckReport", asked<&check_report>);
   function("sceneCheckPairs", asked<&check_pairs>);
   function("sceneInfo", asked<&info>);

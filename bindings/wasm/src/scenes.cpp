@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions that change scenes. scene_questions.cpp contains the queries.
+// Functions that change scenes. scene_questions.cpp and scene_queries.cpp contain the queries.
 #include "scenes.hpp"
 
 #include <cmath>
@@ -261,6 +261,14 @@ void remove(SceneHandle& self, double id) {
   self.visit([&](auto& scene) { scene.remove(self.id_of(id)); });
 }
 
+void except(SceneHandle& self, double a, double b) {
+  self.visit([&](auto& scene) { scene.except(self.id_of(a), self.id_of(b)); });
+}
+
+void accept(SceneHandle& self, double a, double b) {
+  self.visit([&](auto& scene) { scene.accept(self.id_of(a), self.id_of(b)); });
+}
+
 int layer(SceneHandle& self, std::string name) {
   return self.visit([&](auto& scene) { return static_cast<int>(scene.layer(name)); });
 }
@@ -299,6 +307,8 @@ EMSCRIPTEN_BINDINGS(graze_scenes) {
       .function("pose", &Guarded<&pose>::call)
       .function("moveToTime", &Guarded<&move_to_time>::call)
       .function("remove", &Guarded<&remove>::call)
+      .function("except", &Guarded<&except>::call)
+      .function("accept", &Guarded<&accept>::call)
       .function("layer", &Guarded<&layer>::call)
       .function("update", &Guarded<&update>::call);
   function("addSceneFile", &Guarded<&add_scene_file>::call);

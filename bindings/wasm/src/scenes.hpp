@@ -65,6 +65,14 @@ inline constexpr Dim dimension_of_scene = dimension_in<std::remove_cvref_t<S>>;
 
 inline void put_id(ObjectId id) { answer().push_back(packed_id(id.index, id.generation)); }
 
+inline void put_ids(const std::vector<ObjectId>& ids) {
+  for (const ObjectId id : ids) put_id(id);
+}
+
+/// A const method: embind requires methods of the registered class, hence functions that take the scene.
+template <auto question>
+constexpr auto asked = &Guarded<question>::call;
+
 /// The options of an object from JSON, before names of layers are looked up.
 class ObjectWords {
  public:

@@ -5,8 +5,10 @@
 //   touching_2d.json, _3d.json      shapes, candidate pairs of them, and those that touch
 //   pairs_2d_float.boxes, .pairs    100,000 boxes as they lie in memory, and their pairs; likewise 3d and double
 //   indexes.json                    what trees answer about boxes, and their cells
+//   scenes_2d.json, _3d.json        a scene, shapes that move through it, and what its queries answer
+#include "answers.hpp"
+
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -28,7 +30,6 @@
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/scene_generators.hpp>
 #include <graze/broad/touching_pairs.hpp>
-#include <graze/io/json/shape_writer.hpp>
 #include <graze/math/motion.hpp>
 #include <graze/query/closest_boundary_point.hpp>
 #include <graze/query/closest_point.hpp>
@@ -48,37 +49,6 @@
 namespace graze::test {
 namespace {
 
-/// Numbers as JSON that parse to the same bits; numbers that JSON cannot represent as text.
-class Numbers {
- public:
-  void put(double number) {
-    text_ += text_.empty() ? "" : ", ";
-    if (std::isnan(number)) {
-      text_ += "\"NaN\"";
-    } else if (std::isinf(number)) {
-      text_ += number > 0 ? "\"Infinity\"" : "\"-Infinity\"";
-    } else {
-      text_ += number == 0 && std::signbit(number) ? std::string("-0.0") : fmt::format("{}", number);
-    }
-  }
-
-  template <Dim N>
-  void put(const Vec<N, double>& vector) {
-    for (Dim i = 0; i < N; ++i) put(vector[i]);
-  }
-
-  template <Dim N>
-  void put(const Aabb<N, double>& box) {
-    put<N>(box.min);
-    put<N>(box.max);
-  }
-
-  std::string list() const { return '[' + text_ + ']'; }
-
- private:
-  std::string text_;
-};
-
 /// The arguments of one line.
 template <Dim N>
 struct Case {
@@ -96,6 +66,17 @@ Case<N> draw_case(std::size_t first, std::size_t second) {
 }
 
 template <Dim N>
+void put_contact(const std::optional<Contact<N, double>>& found, Numbers& out) {
+  if (!found) return;
+  out.put<N>(found->point);
+  out.put<N>(found->point_a);
+  out.put<N>(found->point_b);
+  out.put<N>(found->normal);
+  out.put(found->depth);
+  out.put(found->error);
+}
+
+template <Dim N>
 void answer_pair(const AnyShape<N, double>& a, const AnyShape<N, double>& b, Numbers& out) {
   out.put(static_cast<double>(relation(a, b)));
   out.put(distance(a, b));
@@ -105,40 +86,15 @@ void answer_pair(const AnyShape<N, double>& a, const AnyShape<N, double>& b, Num
   out.put<N>(near.point_b);
   out.put<N>(near.normal);
   out.put(near.error);
-  if (const auto found = contact(a, b)) {
-    out.put<N>(found->point);
-    out.put<N>(found->point_a);
-    out.put<N>(found->point_b);
-    out.put<N>(found->normal);
-    out.put(found->depth);
-    out.put(found->error);
-  }
-  const Manifold<N, double> touching = manifold(a, b);
-  out.put<N>(touching.normal);
-  out.put(touching.error);
-  for (const ManifoldPoint<N, double>& point : touching.contacts()) {
-    out.put<N>(point.point);
-    out.put<N>(point.point_a);
-    out.put<N>(point.point_b);
-    out.put(point.depth);
-    for (const Feature& feature : {point.id.a, point.id.b}) {
-      out.put(static_cast<double>(feature.kind));
-      out.put(feature.index);
-    }
-    out.put(point.id.part_a);
-    out.put(point.id.part_b);
-  }
+  put_contact<N>(contact(a, b), out);
+  put_manifold<N>(manifold(a, b), out);
 }
 
 template <Dim N>
 void answer_shape(const Case<N>& asked, Numbers& out) {
   for (const RaySide side : {RaySide::entry, RaySide::exit}) {
     const auto hit = ray_cast(asked.a, asked.ray, std::numeric_limits<double>::infinity(), RayOptions{side});
-    if (!hit) continue;
-    out.put(hit->t);
-    out.put<N>(hit->point);
-    out.put<N>(hit->normal);
-    out.put(hit->error);
+    if (hit) put_hit<N>(*hit, out);
   }
   out.put(contains(asked.a, asked.point) ? 1 : 0);
   out.put<N>(closest_point(asked.a, asked.point));
@@ -147,20 +103,11 @@ void answer_shape(const Case<N>& asked, Numbers& out) {
   out.put<N>(bounds(asked.a));
 }
 
-template <Dim N>
-void put_impact(const std::optional<Impact<N, double>>& found, Numbers& out) {
-  if (!found) return;
-  out.put(found->t);
-  out.put<N>(found->point);
-  out.put<N>(found->normal);
-  out.put(found->error);
-}
-
-/// The first shape moves along the ray's direction; then both move and rotate. -1 for shapes that cannot.
+/// The first shape moves along the ray's direction; then both move and rotate.
 template <Dim N>
 void answer_casts(const Case<N>& asked, Numbers& out) {
   const Vec<N, double>& way = asked.ray.direction;
-  put_impact<N>(shape_cast(asked.a, way, asked.b), out);
+  if (const auto found = shape_cast(asked.a, way, asked.b)) put_hit<N>(*found, out);
   Motion<N, double> first{way, {}, asked.point};
   Motion<N, double> second{-way, {}, way};
   if constexpr (N == 2) {
@@ -170,14 +117,18 @@ void answer_casts(const Case<N>& asked, Numbers& out) {
     first.angular = {1, 0, -2};
     second.angular = way;
   }
-  put_impact<N>(time_of_impact(asked.a, first, asked.b, second), out);
+  if (const auto found = time_of_impact(asked.a, first, asked.b, second)) put_hit<N>(*found, out);
 }
 
+/// With options: the first shape is cast, with each and with both, and contacts have a margin.
 template <Dim N>
-std::string text_of(const AnyShape<N, double>& shape) {
-  std::string text = "{";
-  io::append_json_shape<N>(text, shape);
-  return text + '}';
+void answer_options(const Case<N>& asked, Numbers& out) {
+  for (const CastOptions options : {CastOptions{true, 0}, CastOptions{false, 0.25}, CastOptions{true, 0.25}}) {
+    if (const auto found = shape_cast(asked.a, asked.ray.direction, asked.b, options)) put_hit<N>(*found, out);
+  }
+  const ContactOptions near{.margin = 2};
+  put_contact<N>(contact(asked.a, asked.b, near), out);
+  put_manifold<N>(manifold(asked.a, asked.b, near), out);
 }
 
 /// Every two types of shapes, several times.
@@ -194,9 +145,12 @@ void write_queries(std::ostream& out) {
     answer_shape<N>(asked, answers);
     Numbers casts;
     answer_casts<N>(asked, casts);
-    out << fmt::format("{{\"a\": {}, \"b\": {}, \"point\": {}, \"ray\": {}, \"answers\": {}, \"casts\": {}}}\n",
-                       text_of<N>(asked.a), text_of<N>(asked.b), text_of<N>(asked.point), text_of<N>(asked.ray),
-                       answers.list(), casts.list());
+    Numbers options;
+    answer_options<N>(asked, options);
+    out << fmt::format(
+        "{{\"a\": {}, \"b\": {}, \"point\": {}, \"ray\": {}, \"answers\": {}, \"casts\": {}, \"options\": {}}}\n",
+        text_of<N>(asked.a), text_of<N>(asked.b), text_of<N>(asked.point), text_of<N>(asked.ray), answers.list(),
+        casts.list(), options.list());
   }
 }
 
@@ -308,7 +262,12 @@ void write_all(const std::filesystem::path& folder) {
                          answers_of(QuadTree<double>(OrthtreeOptions{.capacity = 4, .max_depth = 8})),
                          answers_of(Octree<double>(OrthtreeOptions{.capacity = 4, .max_depth = 8})),
                          answers_of(Bvh<2, double>()), answers_of(Bvh<3, double>(BvhOptions{.margin = 0.5})));
-  if (!queries || !flat || !deep || !indexes) throw std::runtime_error(folder.string() + ": writing failed");
+  std::ofstream flat_scene(folder / "scenes_2d.json");
+  write_scene<2>(flat_scene);
+  std::ofstream deep_scene(folder / "scenes_3d.json");
+  write_scene<3>(deep_scene);
+  if (!queries || !flat || !deep || !indexes || !flat_scene || !deep_scene)
+    throw std::runtime_error(folder.string() + ": writing failed");
 }
 
 }  // namespace

@@ -52,3 +52,24 @@ export function assertSameBits(ours, native, about) {
   assert.fail(`${about()}\nlengths ${ours.length} and ${native.length}, first difference at ${first}: ` +
     `${asText(ours[first])} and ${native[first]}`);
 }
+
+// The numbers of results in the order of answers.cpp; none for null.
+
+export const hitNumbers = (hit) => (hit === null ? [] : [hit.t, ...hit.point, ...hit.normal, hit.error]);
+
+export const contactNumbers = (found) =>
+  (found === null ? [] : [...found.point, ...found.pointA, ...found.pointB, ...found.normal, found.depth, found.error]);
+
+const featureKinds = ["vertex", "edge", "face"];
+
+const idNumbers = ({ a, b, partA, partB }) => [
+  ...[a, b].flatMap(({ kind, index }) => [featureKinds.indexOf(kind), index]),
+  partA,
+  partB,
+];
+
+export const manifoldNumbers = ({ normal, error, points }) => [
+  ...normal,
+  error,
+  ...points.flatMap((each) => [...each.point, ...each.pointA, ...each.pointB, each.depth, ...idNumbers(each.id)]),
+];

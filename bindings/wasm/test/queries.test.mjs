@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { before, test } from "node:test";
 
-import { assertSameBits, loadGraze, nativeAnswers } from "./native.mjs";
+import { assertSameBits, contactNumbers, hitNumbers, loadGraze, manifoldNumbers, nativeAnswers } from "./native.mjs";
 
 let graze;
 let native;
@@ -13,14 +13,6 @@ before(async () => {
 });
 
 const relations = ["apart", "touching", "overlapping"];
-
-const featureKinds = ["vertex", "edge", "face"];
-
-const idNumbers = ({ a, b, partA, partB }) => [
-  ...[a, b].flatMap(({ kind, index }) => [featureKinds.indexOf(kind), index]),
-  partA,
-  partB,
-];
 
 const hasNumbers = (shape) => /\d/.test(JSON.stringify(shape));
 
@@ -40,10 +32,8 @@ function pairAnswers(a, b) {
     ...near.pointB,
     ...near.normal,
     near.error,
-    ...(found ? [...found.point, ...found.pointA, ...found.pointB, ...found.normal, found.depth, found.error] : []),
-    ...touching.normal,
-    touching.error,
-    ...touching.points.flatMap((each) => [...each.point, ...each.pointA, ...each.pointB, each.depth, ...idNumbers(each.id)]),
+    ...contactNumbers(found),
+    ...manifoldNumbers(touching),
   ];
 }
 
@@ -51,7 +41,7 @@ function shapeAnswers(shape, point, ray) {
   const hits = [graze.rayCast(shape, ray), graze.rayCast(shape, ray, { side: "exit" })];
   const box = graze.bounds(shape);
   return [
-    ...hits.filter((hit) => hit).flatMap((hit) => [hit.t, ...hit.point, ...hit.normal, hit.error]),
+    ...hits.flatMap(hitNumbers),
     graze.contains(shape, point) ? 1 : 0,
     ...graze.closestPoint(shape, point),
     ...graze.closestBoundaryPoint(shape, point),
@@ -61,34 +51,45 @@ function shapeAnswers(shape, point, ray) {
   ];
 }
 
-const impactAnswers = (impact) => (impact ? [impact.t, ...impact.point, ...impact.normal, impact.error] : []);
-
 function castAnswers(a, b, point, { direction }) {
   const isFlat = point.length === 2;
   const back = direction.map((value) => -value);
   const first = { linear: direction, angular: isFlat ? 1 : [1, 0, -2], center: point };
   const second = { linear: back, angular: isFlat ? direction[0] : direction, center: direction };
   return [
-    ...impactAnswers(graze.shapeCast(a, direction, b)),
-    ...impactAnswers(graze.timeOfImpact(a, first, b, second)),
+    ...hitNumbers(graze.shapeCast(a, direction, b)),
+    ...hitNumbers(graze.timeOfImpact(a, first, b, second)),
+  ];
+}
+
+function optionAnswers(a, b, { direction }) {
+  const options = [
+    { ignoreInitialTouch: true }, { targetDistance: 0.25 }, { ignoreInitialTouch: true, targetDistance: 0.25 },
+  ];
+  return [
+    ...options.flatMap((each) => hitNumbers(graze.shapeCast(a, direction, b, each))),
+    ...contactNumbers(graze.contact(a, b, { margin: 2 })),
+    ...manifoldNumbers(graze.manifold(a, b, { margin: 2 })),
   ];
 }
 
 test("every query gives native results for thousands of pairs of shapes, bit for bit", () => {
   const lines = native("queries.ndjson").toString().trimEnd().split("\n");
   assert.ok(lines.length >= 2000);
-  const seen = { apart: 0, touching: 0, overlapping: 0 };
+  const seen = { apart: 0, touching: 0, overlapping: 0, near: 0 };
   for (const line of lines) {
-    const { a, b, point, ray, answers, casts } = JSON.parse(line);
+    const { a, b, point, ray, answers, casts, options } = JSON.parse(line);
     // A compound without parts has no vectors that determine the dimension.
     if (!hasNumbers(a) && !hasNumbers(b)) continue;
     const ours = [...pairAnswers(a, b), ...shapeAnswers(a, point.position, ray)];
     const compared = hasNumbers(a) ? answers.length : answers.length - 2 * point.position.length;
     assertSameBits(ours.slice(0, hasNumbers(a) ? ours.length : compared), answers.slice(0, compared), () => line);
     assertSameBits(castAnswers(a, b, point.position, ray), casts, () => line);
+    assertSameBits(optionAnswers(a, b, ray), options, () => line);
     seen[graze.relation(a, b)] += 1;
+    seen.near += graze.contact(a, b, { margin: 2 })?.depth < 0 ? 1 : 0;
   }
-  for (const [relation, count] of Object.entries(seen)) assert.ok(count > 100, `${relation}: ${count} times`);
+  for (const [what, count] of Object.entries(seen)) assert.ok(count > 100, `${what}: ${count} times`);
 });
 
 test("contacts keep their ids while a box, or a hull of the same corners, slides and tips", () => {

@@ -119,6 +119,14 @@ decltype(auto) core_near(const S& shape, const Vec<dimension_of<S>, double>& poi
   }
 }
 
+/// Whether a motion shortens the distance of convex shapes that are apart, by more than rounding explains. The cast of
+/// shapes that only rounding keeps apart, or farther apart than the target, is a hit at the start even if the motion
+/// leads away, and then its normal is not that between the shapes.
+template <class A, class B>
+bool is_shortened(const A& a, const Vec<dimension_of<A>, double>& motion, const B& b) {
+  return dot(proximity(a, b).normal, motion) > tolerance::approach<scalar_of<A>> * sum_abs(motion);
+}
+
 /// Whether the motion takes two shapes deeper into each other than rounding explains (or nearer, if they are as near as
 /// the target): from where they touch, at the start or later.
 template <class A, class B>

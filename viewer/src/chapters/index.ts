@@ -7,6 +7,7 @@ import { intersections } from "./intersections";
 import { rays } from "./rays";
 import { sceneView } from "./scene_view";
 import { trees } from "./trees";
+import { walk } from "./walk";
 
 /** In the order of the tabs; the first is the default. */
-export const chapters: readonly Chapter[] = [intersections, closestPoints, rays, bounding, trees, broadPhase, sceneView];
+export const chapters: readonly Chapter[] = [intersections, closestPoints, rays, walk, bounding, trees, broadPhase, sceneView];
