@@ -16,7 +16,7 @@ int cells_with(const std::vector<Aabb<N, double>>& cells, const Vec<N, double>& 
   int found = 0;
   for (const Aabb<N, double>& cell : cells) {
     bool inside = true;
-    for (Dim k = 0; k < N; ++k) inside = inside && cell.min[k] <= point[k] && point[k] <= cell.max[k];
+    for (Dim k = 0; k < N; ++k) inside = inside && cell.min[k] <= point[k] && point[k] < cell.max[k];
     if (inside) ++found;
   }
   return found;
@@ -32,7 +32,7 @@ void expect_balanced_cells() {
   ASSERT_EQ(cells.size(), static_cast<std::size_t>(comm.size()));
   std::vector<double> loads(cells.size());
   for (const detail::WeightedPoint<N>& point : points) {
-    EXPECT_EQ(cells_with(cells, point.at), 1);  // no point is on a cut, in general position
+    EXPECT_EQ(cells_with(cells, point.at), 1);  // a cut is at a point, which is above it
     for (std::size_t rank = 0; rank < cells.size(); ++rank) {
       loads[rank] += cells_with<N>({cells[rank]}, point.at);
     }
