@@ -28,9 +28,9 @@ struct NoPayload {};
 /// A box with its id and whatever travels with it: any type that can be copied byte by byte.
 template <Dim N, class T = float, class Payload = NoPayload>
 struct Body {
-  Aabb<N, T> box;
-  std::uint64_t id = 0;
-  Payload payload;
+  Aabb<N, T> box;        ///< Where it is.
+  std::uint64_t id = 0;  ///< Its name in the whole world.
+  Payload payload;       ///< The user's data.
 };
 
 /// Sends each body to the rank given for it, possibly this one, and returns the bodies that arrive here, ascending by
