@@ -56,7 +56,7 @@ class Program(unittest.TestCase):
 
     def test_wrong_usage_ends_all_ranks_with_one_message(self):
         for arguments, message in ((["pairs"], "--generate"), (["pears"], "did you mean"), ([], "a command is missing"),
-                                   (["bench", "--generate", "brownian:10", "--skin", "-1"], "--skin is '-1'"),
+                                   (["bench", "--generate", "brownian:10", "--skin", "-1"], '--skin is "-1"'),
                                    (["pairs", "--generate", "brownian"], "needs a number of boxes")):
             with self.subTest(arguments=arguments):
                 done = run_mpi(2, *arguments)

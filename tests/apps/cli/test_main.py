@@ -6,7 +6,7 @@ import unittest
 
 from graze_program import CAN_BE_LIMITED, ROOT, CommandLineTest, with_memory_of
 
-COMMANDS = ("check", "view", "query", "simulate", "replay", "info", "convert", "bench", "generate")
+COMMANDS = ("check", "view", "query", "simulate", "replay", "info", "convert", "bench", "generate", "pairs")
 
 
 def options_in(text):
