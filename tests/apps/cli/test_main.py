@@ -32,7 +32,7 @@ class Main(CommandLineTest):
         for command in COMMANDS:
             with self.subTest(command):
                 text = self.help_of(command)
-                self.assertIn(f"Usage: graze {command} [OPTIONS] ", text)
+                self.assertIn(f"Usage: graze {command} [OPTIONS]", text)
                 self.assertIn(f"\nExamples:\n  graze {command} ", text)
                 self.assertIn("\nExit codes: 0 done;", text)
                 for line in text.splitlines():
