@@ -5,8 +5,8 @@
 
 #include <graze/distributed/zoltan/bisection.hpp>
 
-#include "broad/box_worlds.hpp"
 #include "../ranks.hpp"
+#include "broad/box_worlds.hpp"
 
 namespace graze::bisection_test {
 namespace {
