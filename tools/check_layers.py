@@ -12,6 +12,9 @@ from project_files import ROOT, includes, project_files
 
 # Lowest first: a file includes its own layer and those before it. Folders outside graze/ may include all layers.
 LAYERS = ["math", "shape", "query", "broad", "scene", "io"]
+# An optional layer beside those above broad: it may include broad and what is below, and none of the others includes it.
+DISTRIBUTED = "distributed"
+BELOW_DISTRIBUTED = LAYERS[:LAYERS.index("broad") + 1]
 # graze::geometry: these layers need only GLM, and only one file includes it.
 GEOMETRY = LAYERS[:3]
 GLM_DOOR = Path("graze/math/vec.hpp")
@@ -86,13 +89,15 @@ TESTED_ELSEWHERE = {
         ("tests/broad/pairs/block_kernels_test.cpp", "one macro, whose values the tests force in turn"),
     "graze/broad/touching/pair_tasks.hpp":
         ("tests/broad/touching_pairs_test.cpp", "invalid arguments, and equal results with any executor"),
+    "graze/distributed/id_pair.hpp":
+        ("tests/distributed/overlapping_pairs_test.cpp", "a struct without functions, returned by overlapping_pairs"),
     "graze/scene/storage/meets_inflated.hpp": ("tests/scene/plain_scene_test.cpp", "the test of boxes for PlainScene"),
 }
 
 
 def layer_of(path):
     """The layer of a file under graze/<layer>/, or None."""
-    return path.parts[1] if len(path.parts) >= 3 and path.parts[0] == "graze" and path.parts[1] in LAYERS else None
+    return path.parts[1] if len(path.parts) >= 3 and path.parts[0] == "graze" and path.parts[1] in [*LAYERS, DISTRIBUTED] else None
 
 
 def is_public(path):
@@ -119,8 +124,9 @@ def include_problem(root, path, name, quoted):
     included = layer_of(Path(name))
     if included is None:
         return f"includes {name}, which is above every layer"
-    if LAYERS.index(included) > LAYERS.index(layer):
-        return f"includes upwards: {name}; {layer} may include {', '.join(LAYERS[: LAYERS.index(layer) + 1])}"
+    allowed = [*BELOW_DISTRIBUTED, DISTRIBUTED] if layer == DISTRIBUTED else LAYERS[: LAYERS.index(layer) + 1]
+    if included not in allowed:
+        return f"includes upwards: {name}; {layer} may include {', '.join(allowed)}"
     return None
 
 

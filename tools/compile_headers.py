@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Compiles every header alone and included twice, to check that it is self-contained and has an include guard."""
 
+import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -28,6 +29,14 @@ def _precompile(root, compiler, header, folder):
     return named, done.stderr if done.returncode else ""
 
 
+def _flags_of_mpi():
+    """Where mpi.h is, for the headers that need it; empty if MPI is not installed, which their compilation then reports."""
+    if not shutil.which("mpicxx"):
+        return []
+    folders = subprocess.run(["mpicxx", "--showme:incdirs"], capture_output=True, text=True, check=False).stdout.split()
+    return [flag for folder in folders for flag in ("-isystem", folder)] + ["-DOMPI_SKIP_MPICXX"]
+
+
 def _is_part(path):
     """Whether other files include this one into their own namespaces: one source for one pair and for many."""
     return path.parts[1] == "query" and path.stem.endswith("-inl")
@@ -37,6 +46,7 @@ def compile_headers(root, compiler):
     """Returns the problems as texts and the number of headers. Unchanged headers that passed are not compiled again."""
     version = subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout
     headers = [path for path in project_files(root, [".hpp"]) if path.parts[0] == "graze" and not _is_part(path)]
+    mpi = _flags_of_mpi()
     checks = [(path, content_key(root, path, version, _FLAGS)) for path in headers]
     cache = ContentCache(root / "build" / "cache" / "headers")
 
@@ -51,7 +61,8 @@ def compile_headers(root, compiler):
         def work(path):
             closure = include_closure(root, path)
             shared = next((named for header, named in compiled.items() if header != path and header in closure), None)
-            done = subprocess.run([compiler, *(["-include", shared] if shared else []), *_FLAGS, "-x", "c++", "-"],
+            done = subprocess.run([compiler, *(["-include", shared] if shared else []), *_FLAGS,
+                                   *(mpi if path.parts[1] == "distributed" else []), "-x", "c++", "-"],
                                   input=f"#include <{path}>\n" * 2, cwd=root, capture_output=True, text=True, check=False)
             return done.stderr if done.returncode else ""
 

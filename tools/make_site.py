@@ -21,7 +21,7 @@ from markdown import anchor_of
 from project_files import ROOT, project_files
 from site_examples import Examples
 
-LAYERS = ["math", "shape", "query", "broad", "scene", "io"]
+LAYERS = ["math", "shape", "query", "broad", "scene", "io", "distributed"]
 # Headers in sub-folders that declare, outside namespace detail, what public headers re-export.
 EXPORTED = ["broad/grid/cells.hpp", "broad/index/key_table.hpp", "broad/index/region.hpp", "broad/orthtree/place.hpp",
             "io/log/logged_answer.hpp", "io/log/logged_call.hpp", "io/log/query_log.hpp", "io/log/side_by_side.hpp",
@@ -31,7 +31,7 @@ THEME = Path("/usr/share/doxygen-awesome-css")
 VIEWER = Path("viewer/index.html")
 # The order of the guide in the site's navigation.
 GUIDE = ["docs/cookbook/README.md", "docs/cli.md", "docs/scene_format.md", "docs/tiled.md", "docs/query_log.md", "docs/viewer.md",
-         "docs/web.md", "docs/accuracy.md", "docs/performance.md", "docs/benchmarks.md",
+         "docs/web.md", "docs/distributed.md", "docs/accuracy.md", "docs/performance.md", "docs/benchmarks.md",
          "docs/benchmarks_engines.md", "docs/architecture.md"]
 
 _FENCE = re.compile(r"^ *```")

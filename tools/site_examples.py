@@ -16,6 +16,8 @@ WITHOUT_EXAMPLE = {
     "graze::io::log_head",
     "graze::io::read_json_scene",  # takes a document that read_scene has parsed
     "graze::io::ShapeNumbers::of",  # behind with_numbers
+    "graze::anchor", "graze::owner",  # what partition and exchange cut by
+    "graze::Partition::ranks", "graze::Partition::cell", "graze::Partition::rank_at",  # for programs that draw the cells
     "graze::finite_magnitude",
     "graze::Parts::edit",  # the other members are those of std::vector
 }

@@ -34,5 +34,6 @@ Command add_info(CLI::App& program);
 Command add_convert(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_generate(CLI::App& program);
+Command add_pairs(CLI::App& program);
 
 }  // namespace graze::cli

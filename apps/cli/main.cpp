@@ -37,6 +37,7 @@ Examples:
   graze convert level.tmx level.json
   graze bench --generate brownian:1M
   graze generate 2d:heavy:100k --output boxes.csv
+  graze pairs --generate brownian:100k
 
 Exit codes: 0 done; 1 contact found, with check --fail-on-contact, or answers differ, with replay;
 2 wrong usage; 3 bad input, or an output that cannot be written; 70 internal error)";
@@ -67,9 +68,9 @@ ExitCode run(int argc, const char* const* argv) {
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.set_version_flag("--version", "graze " GRAZE_VERSION, "Print the version and exit");
   program.footer(program_footer);
-  const std::array<Command, 9> commands{add_check(program),    add_view(program),   add_query(program),
-                                        add_simulate(program), add_replay(program), add_info(program),
-                                        add_convert(program),  add_bench(program),  add_generate(program)};
+  const std::array<Command, 10> commands{
+      add_check(program), add_view(program),    add_query(program), add_simulate(program), add_replay(program),
+      add_info(program),  add_convert(program), add_bench(program), add_generate(program), add_pairs(program)};
   for (const Command& command : commands) command.app->group("Commands");
   try {
     program.parse(argc, argv);

@@ -30,10 +30,10 @@ UsageError unknown_command(const CLI::App& program, const std::string& argument)
                                 io::did_you_mean(argument, known)));
 }
 
-/// The first missing positional argument.
+/// The first missing argument or required option.
 std::string missing_argument(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
-    if (option->get_positional() && option->get_required() && option->count() == 0)
+    if (option->get_required() && option->count() == 0)
       return fmt::format("{} ({})", option->get_name(), option->get_description());
   }
   return "an argument";

@@ -3,7 +3,7 @@
 _graze() {
   local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]} words
   if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W 'check view query simulate replay info convert bench generate --help --version' -- "$word"))
+    COMPREPLY=($(compgen -W 'check view query simulate replay info convert bench generate pairs --help --version' -- "$word"))
     return
   fi
   case "$command ${COMP_WORDS[COMP_CWORD - 1]}" in
@@ -14,6 +14,7 @@ _graze() {
     'bench --order') COMPREPLY=($(compgen -W 'sorted any' -- "$word")); return ;;
     'bench --format') COMPREPLY=($(compgen -W 'table json csv' -- "$word")); return ;;
     'generate --format') COMPREPLY=($(compgen -W 'csv json aabbs' -- "$word")); return ;;
+    'pairs --format') COMPREPLY=($(compgen -W 'csv json' -- "$word")); return ;;
   esac
   case "$command" in
     check) words='-h --help --format --interior --contacts --within --svg --html --output --fail-on-contact --strict' ;;
@@ -25,6 +26,7 @@ _graze() {
     convert) words='-h --help --strict' ;;
     bench) words='-h --help --generate --seed --frames --method --order --threads --format' ;;
     generate) words='-h --help --seed --frames --output --format' ;;
+    pairs) words='-h --help --generate --seed --frame --format --output' ;;
   esac
   case "$word" in
     -*) COMPREPLY=($(compgen -W "$words" -- "$word")) ;;

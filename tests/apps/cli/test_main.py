@@ -6,7 +6,7 @@ import unittest
 
 from graze_program import CAN_BE_LIMITED, ROOT, CommandLineTest, with_memory_of
 
-COMMANDS = ("check", "view", "query", "simulate", "replay", "info", "convert", "bench", "generate")
+COMMANDS = ("check", "view", "query", "simulate", "replay", "info", "convert", "bench", "generate", "pairs")
 
 
 def options_in(text):
@@ -32,7 +32,7 @@ class Main(CommandLineTest):
         for command in COMMANDS:
             with self.subTest(command):
                 text = self.help_of(command)
-                self.assertIn(f"Usage: graze {command} [OPTIONS] ", text)
+                self.assertIn(f"Usage: graze {command} [OPTIONS]", text)
                 self.assertIn(f"\nExamples:\n  graze {command} ", text)
                 self.assertIn("\nExit codes: 0 done;", text)
                 for line in text.splitlines():
