@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lengths, directions and normals where the usual formulas fail: squares that overflow or underflow, and vectors that
-// are almost parallel.
+// are almost parallel. And floats that are calculated with in double, as graze does.
 #include <cmath>
 #include <cstdio>
 
@@ -35,8 +35,15 @@ int main() {
   const Vec3 accurate = graze::accurate_cross(edge, other_edge);
   std::printf("twice its area: %g, by doubles %g\n", std::fabs(accurate.z), std::fabs(rounded.z));
 
+  // A corner of a box far from the origin: in float, the corner loses what the size says.
+  const graze::Obb<3> box{{16777216, 0, 0}, {0.5F, 0.5F, 0.5F}};
+  const Vec3 corner = graze::wide<3, float>(box.center) +
+                      graze::wide_matrix<3, float>(box.axes) * graze::wide<3, float>(box.half_extents);
+  std::printf("it reaches to %.1f, in float to %.1f\n", corner.x, box.center.x + box.half_extents.x);
+
   const Vec3 up = direction_of(tiny);
   const bool is_long =
       std::fabs(length_of(huge) / 5e200 - 1) < 1e-15 && std::fabs(length_of(tiny) / 5e-200 - 1) < 1e-15;
-  return is_long && std::fabs(up.y - 0.6) < 1e-15 && accurate == Vec3(0, 0, -1) && rounded.z != -1 ? 0 : 1;
+  const bool is_right = std::fabs(up.y - 0.6) < 1e-15 && accurate == Vec3(0, 0, -1) && rounded.z != -1;
+  return is_long && is_right && corner.x == 16777216.5 ? 0 : 1;
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <ostream>
 #include <string>
@@ -203,6 +204,32 @@ struct Entry<Compound<N, T>> : Generated<Compound<N, T>, N, T> {
   }
 };
 
+/// Surfaces of zero to four faces on one to six vertices; the same vertex may occur twice in a face.
+template <Dim N, class T>
+struct Entry<Mesh<N, T>> : Generated<Mesh<N, T>, N, T> {
+  static constexpr std::string_view name = "Mesh";
+  static Mesh<N, T> draw(const Source<N, T>& from) {
+    const std::vector<Vec<N, T>> vertices = *some<Vec<N, T>>(6, from.point);
+    std::vector<std::array<std::uint32_t, 3>> faces(*choice(5));
+    for (std::array<std::uint32_t, 3>& face : faces) {
+      for (std::uint32_t& vertex : face) vertex = static_cast<std::uint32_t>(*choice(vertices.size()));
+    }
+    return mesh_of<N, T>(vertices, faces);
+  }
+  static std::string source(const Mesh<N, T>& mesh) {
+    std::string vertices;
+    for (const Vec<N, T>& vertex : mesh.vertices()) vertices += (vertices.empty() ? "" : ", ") + initializer(vertex);
+    std::string faces;
+    for (const auto& [a, b, c] : mesh.faces()) {
+      faces +=
+          (faces.empty() ? "{" : ", {") + std::to_string(a) + ", " + std::to_string(b) + ", " + std::to_string(c) + "}";
+    }
+    const std::string kind = mesh.kind() == MeshKind::solid ? ", MeshKind::solid" : "";
+    return type_source<N, T>("mesh_of") + "(std::vector<" + type_source<N, T>("Vec") + ">{" + vertices +
+           "}, std::vector<std::array<std::uint32_t, 3>>{" + faces + "}" + kind + ")";
+  }
+};
+
 template <Dim N, class T>
 struct Entry<Pose<N, T>> : Generated<Pose<N, T>, N, T> {
   static constexpr std::string_view name = "Pose";
@@ -229,9 +256,8 @@ std::string to_source(const S& value) {
   }
 }
 
-/// The index of compounds in AnyShape: the last.
 template <Dim N, class T>
-inline constexpr std::size_t compound_index = std::variant_size_v<AnyShape<N, T>> - 1;
+inline constexpr std::size_t number_of_types = std::variant_size_v<AnyShape<N, T>>;
 
 /// Stands for any type where an index in AnyShape is expected.
 inline constexpr std::size_t any_type = std::variant_npos;
@@ -240,25 +266,28 @@ inline constexpr std::size_t any_type = std::variant_npos;
 template <Dim N, class T>
 AnyShape<N, T> draw_shape_at(std::size_t index, const Source<N, T>& from, int depth = 2) {
   using Any = AnyShape<N, T>;
-  static_assert(std::is_same_v<std::variant_alternative_t<compound_index<N, T>, Any>, Compound<N, T>>);
   if (index == any_type) return draw_shape<N, T>(from, depth);
-  if (index == compound_index<N, T>) return Entry<Compound<N, T>>::draw(from, depth);
   Any shape;
   [&]<std::size_t... Indices>(std::index_sequence<Indices...>) {
     const auto draw = [&]<class S>(std::type_identity<S>) {
       static_assert(Catalogued<S>, "an alternative of AnyShape has no Entry: add one to tests/catalogue.hpp");
-      shape = Entry<S>::draw(from);
+      if constexpr (std::is_same_v<S, Compound<N, T>>) {
+        shape = Entry<S>::draw(from, depth);
+      } else {
+        shape = Entry<S>::draw(from);
+      }
     };
     ((index == Indices ? draw(std::type_identity<std::variant_alternative_t<Indices, Any>>()) : void()), ...);
   }
-  (std::make_index_sequence<compound_index<N, T>>());
+  (std::make_index_sequence<number_of_types<N, T>>());
   return shape;
 }
 
 template <Dim N, class T>
 AnyShape<N, T> draw_shape(const Source<N, T>& from, int depth) {
-  const std::size_t types = depth > 0 ? compound_index<N, T> + 1 : compound_index<N, T>;
-  return draw_shape_at<N, T>(*choice(types), from, depth);
+  const std::size_t index = *choice(number_of_types<N, T>);
+  const bool is_too_deep = depth <= 0 && index == AnyShape<N, T>(Compound<N, T>()).index();
+  return draw_shape_at<N, T>(is_too_deep ? 0 : index, from, depth);
 }
 
 template <Dim N, class T>

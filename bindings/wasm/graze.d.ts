@@ -100,6 +100,13 @@ export interface Compound {
   type: "compound";
   parts: readonly Shape[];
 }
+/** Triangles: three indices of vertices for each face. A surface by default; a solid also has, in 3D, what it encloses. */
+export interface Mesh {
+  type: "mesh";
+  vertices: readonly Vector[];
+  faces: readonly (readonly [number, number, number])[];
+  kind?: "surface" | "solid";
+}
 export type Shape =
   | PointShape
   | Segment
@@ -112,7 +119,8 @@ export type Shape =
   | Triangle
   | Capsule
   | Polytope
-  | Compound;
+  | Compound
+  | Mesh;
 
 /** A box in a result, or where only a box is allowed. Coordinates may be infinite. */
 export interface Box {

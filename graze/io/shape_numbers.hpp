@@ -16,7 +16,8 @@
 namespace graze::io {
 
 /// Converts shapes by applying `change(number)`, which returns a number of the new type, to every number. The boxes of
-/// a compound's parts are recalculated. Throws std::invalid_argument if a corner of a polytope is no longer finite.
+/// a compound's parts are recalculated. Throws std::invalid_argument if a corner of a polytope or a mesh is no longer
+/// finite.
 template <class To, class Change>
 class ShapeNumbers {
  public:
@@ -48,6 +49,12 @@ class ShapeNumbers {
     std::vector<Vec<N, To>> points;
     for (const Vec<N, From>& vertex : polytope.vertices()) points.push_back(of(vertex));
     return convex_hull_in_order<N, To>(points);
+  }
+  template <Dim N, class From>
+  Mesh<N, To> of(const Mesh<N, From>& mesh) const {
+    std::vector<Vec<N, To>> vertices;
+    for (const Vec<N, From>& vertex : mesh.vertices()) vertices.push_back(of(vertex));
+    return mesh_of<N, To>(vertices, mesh.faces(), mesh.kind());
   }
   template <Dim N, class From>
   Compound<N, To> of(const Compound<N, From>& compound) const {

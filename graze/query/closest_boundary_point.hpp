@@ -6,6 +6,7 @@
 ///     polytope in 2D                                                                closed form
 ///     polytope in 3D, user's convex shape                                           GJK from outside, EPA from inside
 ///     compound                           of the part that is nearest, or that the point is deepest in
+///     mesh                               of the nearest face
 ///
 /// From outside, and for shapes without an inside, it is closest_point(shape, point). If there are several nearest
 /// points, the choice is fixed: from the center of a sphere the point in direction x; from the axis of a capsule a
@@ -43,16 +44,28 @@ template <Shape S>
 
 template <Dim N, class T>
 Vec<N, T> closest_boundary_point_of(const Compound<N, T>& compound, const Vec<N, T>& point);
+template <Dim N, class T>
+Vec<N, T> closest_boundary_point_of(const Mesh<N, T>& mesh, const Vec<N, T>& point);
 
 template <Dim N, class T>
 Vec<N, T> closest_boundary_point_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   return detail::visit([&point](const auto& held) { return closest_boundary_point_of(held, point); }, shape);
 }
 
+template <Dim N, class T, template <Dim, class> class Whole>
+Vec<N, T> closest_boundary_point_of_parts(const Whole<N, T>& whole, const Vec<N, T>& point) {
+  const DecidingPart found = deciding_part(whole, point);
+  return found.index != DecidingPart::no_part ? closest_boundary_point_of(part_of(whole, found.index), point)
+                                              : nowhere<N, T>();
+}
+
 template <Dim N, class T>
 Vec<N, T> closest_boundary_point_of(const Compound<N, T>& compound, const Vec<N, T>& point) {
-  const Part<N, T>* part = deciding_part(compound, point).part;
-  return part != nullptr ? closest_boundary_point_of(part->shape, point) : nowhere<N, T>();
+  return closest_boundary_point_of_parts(compound, point);
+}
+template <Dim N, class T>
+Vec<N, T> closest_boundary_point_of(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
+  return closest_boundary_point_of_parts(mesh, point);
 }
 
 }  // namespace detail

@@ -183,23 +183,35 @@ Vec<N, T> closest_point_of(const Aabb<N, T>& box, const Vec<N, T>& point) {
 
 template <Dim N, class T>
 Vec<N, T> closest_point_of(const Compound<N, T>& compound, const Vec<N, T>& point);
+template <Dim N, class T>
+Vec<N, T> closest_point_of(const Mesh<N, T>& mesh, const Vec<N, T>& point);
 
 template <Dim N, class T>
 Vec<N, T> closest_point_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   return detail::visit([&point](const auto& held) { return closest_point_of(held, point); }, shape);
 }
 
+template <Dim N, class T, template <Dim, class> class Whole>
+Vec<N, T> closest_point_of_parts(const Whole<N, T>& whole, const Vec<N, T>& point) {
+  if (is_held(whole, point)) return point;
+  const DecidingPart found = deciding_part(whole, point);
+  return found.index != DecidingPart::no_part ? closest_point_of(part_of(whole, found.index), point) : nowhere<N, T>();
+}
+
 template <Dim N, class T>
 Vec<N, T> closest_point_of(const Compound<N, T>& compound, const Vec<N, T>& point) {
-  if (is_held(compound, point)) return point;
-  const Part<N, T>* part = deciding_part(compound, point).part;
-  return part != nullptr ? closest_point_of(part->shape, point) : nowhere<N, T>();
+  return closest_point_of_parts(compound, point);
+}
+template <Dim N, class T>
+Vec<N, T> closest_point_of(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
+  return closest_point_of_parts(mesh, point);
 }
 
 }  // namespace detail
 
 /// The nearest point of a valid shape (asserted) to a point; the point itself if a solid contains it. If there are
-/// several, the choice depends only on the arguments. For a compound without parts every coordinate is NaN.
+/// several, the choice depends only on the arguments. For a compound without parts, or a mesh without
+/// faces, every coordinate is NaN.
 template <Shape S, PointIn<S> P = PointOf<S>>
 P closest_point(const S& shape, const P& point) {
   assert(detail::is_accepted(shape));

@@ -338,16 +338,31 @@ template <class A, class B>
   return result;
 }
 
+/// For a shape that lies inside a solid mesh, with this point.
+template <Dim N>
+Proximity<N, double> proximity_inside(const Vec<N, double>& point) {
+  Proximity<N, double> result;
+  result.distance = 0;
+  result.point_a = result.point_b = point;
+  result.relation = Relation::overlapping;
+  return result;
+}
+
 /// The nearest part, of several the first; parts whose boxes are farther away beyond rounding are skipped.
-template <Dim N, class T, class S>
-Proximity<N, double> proximity_of_parts(const Compound<N, T>& compound, const S& shape) {
+template <HasParts Whole, class S>
+Proximity<dimension_of<S>, double> proximity_of_parts(const Whole& whole, const S& shape) {
+  constexpr Dim N = dimension_of<S>;
+  using T = scalar_of<S>;
   const Aabb<N, T> box = touching_bounds(shape);
   NearestPart<N> best;
   const MayBeNearest<N, T> may_be_nearest{box, best};
-  visit_parts(compound, may_be_nearest, ByKey(), [&](const Part<N, T>& part, std::size_t index) {
+  visit_parts(whole, may_be_nearest, ByKey(), [&](const auto& part, std::size_t index) {
     if (!best.is_decided_before(index)) best.add(proximity(part.shape, shape), index);
     return true;
   });
+  if (best.nearest().relation == Relation::apart) {
+    if (const auto point = point_inside(whole, shape)) return proximity_inside(wide<N, T>(*point));
+  }
   return best.nearest();
 }
 
@@ -374,11 +389,11 @@ Proximity<dimension_of<A>, double> proximity(const A& a, const B& b,
     return detail::visit([&](const auto& held) { return proximity(held, b, cache); }, a);
   } else if constexpr (is_any_shape<B>) {
     return detail::visit([&](const auto& held) { return proximity(a, held, cache); }, b);
-  } else if constexpr (is_compound<A> && is_compound<B>) {
+  } else if constexpr (HasParts<A> && HasParts<B>) {
     return is_in_order(a, b) ? proximity_of_parts(a, b) : exchanged(proximity_of_parts(b, a));
-  } else if constexpr (is_compound<A>) {
+  } else if constexpr (HasParts<A>) {
     return proximity_of_parts(a, b);
-  } else if constexpr (is_compound<B>) {
+  } else if constexpr (HasParts<B>) {
     return exchanged(proximity_of_parts(b, a));
   } else {
     if constexpr (HullInSpace<A> && HullInSpace<B>) {

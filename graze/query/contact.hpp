@@ -40,8 +40,11 @@
 /// distance, so it changes continuously as they meet. Points, normal, status and error are those of closest_points.hpp.
 ///
 /// A compound counts as its deepest part, of several the first; where parts overlap, the way out of one may lead deeper
-/// into another. Swapping the arguments swaps the points, negates the normal and changes no bit of anything else,
-/// except for two equal shapes.
+/// into another. A mesh counts as the compound of its faces. But a solid in 3D that holds the center of the shape's box
+/// pushes the shape out to the plane of a face, with its normal rounded to T: the least deep of those that it touches
+/// and the one nearest to the center. So the move takes a shape out of the faces nearby, but perhaps into others.
+/// Swapping the arguments swaps the points, negates the normal and changes no bit of anything else, except for two
+/// equal shapes.
 ///
 /// `error` bounds the error of the depth before rounding to T, and the overlap or gap that remains after the move. C: a
 /// few epsilon of double of the pair's own size, however far from the origin (for rays: of the larger of the other
@@ -64,6 +67,7 @@
 #include <graze/query/compiled/instances.hpp>
 #include <graze/query/contact/convex.hpp>
 #include <graze/query/contact/cores.hpp>
+#include <graze/query/contact/deciding_contact.hpp>
 #include <graze/query/contact/unbounded.hpp>
 #include <graze/query/contact_options.hpp>
 #include <graze/query/cores/penetration.hpp>
@@ -133,7 +137,7 @@ Penetration<dimension_of<A>> penetration_in_order(const A& a, const B& b) {
 
 /// True if neither shape is a compound or a variant.
 template <class A, class B>
-inline constexpr bool are_simple = !is_any_shape<A> && !is_any_shape<B> && !is_compound<A> && !is_compound<B>;
+inline constexpr bool are_simple = !is_any_shape<A> && !is_any_shape<B> && !HasParts<A> && !HasParts<B>;
 
 /// The rank of a type in the order of contacts: that of AnyShape, but oriented boxes before axis-aligned ones, which
 /// follow each other there, because fast_contact/obb/boxes_in_frame.hpp takes both relative to the center of the
@@ -210,17 +214,11 @@ std::optional<Penetration<N>> exchanged(std::optional<Penetration<N>> penetratio
   return penetration;
 }
 
-/// The deepest part, of several the first.
-template <Dim N, class T, class S>
-std::optional<Penetration<N>> penetration_of_parts(const Compound<N, T>& compound, const S& shape) {
-  std::optional<Penetration<N>> deepest;
-  FirstPart first;
-  visit_parts(compound, MayTouch<N, T>{touching_bounds(shape)}, [&](const Part<N, T>& part, std::size_t index) {
-    const std::optional<Penetration<N>> candidate = penetration(part.shape, shape);
-    if (candidate && first.is_replaced_by(-candidate->depth, index)) deepest = candidate;
-    return true;
-  });
-  return deepest;
+template <HasParts Whole, class S>
+std::optional<Penetration<dimension_of<S>>> penetration_of_parts(const Whole& whole, const S& shape) {
+  return with_deciding_contact(
+      whole, shape, touching_bounds(shape), [&shape](const auto& part) { return penetration(part, shape); },
+      [](const auto& found, std::size_t, bool) { return found; });
 }
 
 template <class A, class B>
@@ -229,11 +227,11 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
     return detail::visit([&b](const auto& held) { return penetration(held, b); }, a);
   } else if constexpr (is_any_shape<B>) {
     return detail::visit([&a](const auto& held) { return penetration(a, held); }, b);
-  } else if constexpr (is_compound<A> && is_compound<B>) {
+  } else if constexpr (HasParts<A> && HasParts<B>) {
     return is_in_order(a, b) ? penetration_of_parts(a, b) : exchanged(penetration_of_parts(b, a));
-  } else if constexpr (is_compound<A>) {
+  } else if constexpr (HasParts<A>) {
     return penetration_of_parts(a, b);
-  } else if constexpr (is_compound<B>) {
+  } else if constexpr (HasParts<B>) {
     return exchanged(penetration_of_parts(b, a));
   } else if constexpr (are_quick_obbs<A, B>) {
     const bool turned = are_turned(a, b);

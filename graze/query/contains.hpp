@@ -39,6 +39,7 @@
 #include <graze/query/parts/visit.hpp>
 #include <graze/query/relation/triangle_filter.hpp>
 #include <graze/query/scaling/range.hpp>
+#include <graze/query/winding_number.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
@@ -312,6 +313,8 @@ template <Shape S>
 
 template <Dim N, class T>
 bool is_held(const Compound<N, T>& compound, const Vec<N, T>& point);
+template <Dim N, class T>
+bool is_held(const Mesh<N, T>& mesh, const Vec<N, T>& point);
 
 template <Dim N, class T>
 bool is_held(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
@@ -347,6 +350,17 @@ bool is_held(const Compound<N, T>& compound, const Vec<N, T>& point) {
     return !is_found;
   });
   return is_found;
+}
+
+/// The faces first, because a point on one is contained even if it is outside by a rounding error.
+template <Dim N, class T>
+bool is_held(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
+  bool is_found = false;
+  visit_parts(mesh, MayBeNear<N, T>{point}, [&](const FacePart<N, T>& face, std::size_t) {
+    is_found = is_held(face.shape, point);
+    return !is_found;
+  });
+  return is_found || is_inside(mesh, point);
 }
 
 /// Whether the query accepts the shape. A user's type without `defect` counts as valid.

@@ -118,19 +118,22 @@ std::optional<WideManifold<N>> exchanged(std::optional<WideManifold<N>> manifold
 }
 
 /// The manifold of the deepest part, of several the first, as in `contact`. Nested parts are numbered consecutively.
-template <Dim N, class T, class S>
-std::optional<WideManifold<N>> manifold_of_parts(const Compound<N, T>& compound, const S& shape, double margin) {
-  FirstPart deepest;
-  const MayTouch<N, T> may_touch{inflated(touching_bounds(shape), round_up<T>(margin))};
-  visit_parts(compound, may_touch, [&](const Part<N, T>& part, std::size_t index) {
-    const auto candidate = penetration_within(part.shape, shape, margin);
-    if (candidate) deepest.is_replaced_by(-candidate->depth, index);
-    return true;
-  });
-  if (deepest.is_none()) return std::nullopt;
-  std::optional<WideManifold<N>> result = wide_manifold(compound.parts[deepest.index()].shape, shape, margin);
-  if (result) result->part_a = static_cast<std::uint32_t>(result->part_a * compound.parts.size() + deepest.index());
-  return result;
+template <HasParts Whole, class S>
+std::optional<WideManifold<dimension_of<S>>> manifold_of_parts(const Whole& whole, const S& shape, double margin) {
+  using Result = std::optional<WideManifold<dimension_of<S>>>;
+  const auto manifold_of = [&](const auto& found, std::size_t index, [[maybe_unused]] bool is_behind) -> Result {
+    if (!found) return std::nullopt;
+    Result result;
+    if constexpr (dimension_of<S> == 3 && is_mesh<Whole>) {
+      if (is_behind) result = wide_manifold(*half_space_behind(whole.triangle(index)), shape, margin);
+    }
+    if (!result) result = wide_manifold(part_of(whole, index), shape, margin);
+    if (result) result->part_a = static_cast<std::uint32_t>(result->part_a * count_of_parts(whole) + index);
+    return result;
+  };
+  return with_deciding_contact(
+      whole, shape, inflated(touching_bounds(shape), round_up<scalar_of<S>>(margin)),
+      [&](const auto& part) { return penetration_within(part, shape, margin); }, manifold_of);
 }
 
 /// For two shapes that are out of range, if they meet or are up to `margin` apart; none for others.
@@ -188,11 +191,11 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
     return detail::visit([&b, margin](const auto& held) { return wide_manifold(held, b, margin); }, a);
   } else if constexpr (is_any_shape<B>) {
     return detail::visit([&a, margin](const auto& held) { return wide_manifold(a, held, margin); }, b);
-  } else if constexpr (is_compound<A> && is_compound<B>) {
+  } else if constexpr (HasParts<A> && HasParts<B>) {
     return is_in_order(a, b) ? manifold_of_parts(a, b, margin) : exchanged(manifold_of_parts(b, a, margin));
-  } else if constexpr (is_compound<A>) {
+  } else if constexpr (HasParts<A>) {
     return manifold_of_parts(a, b, margin);
-  } else if constexpr (is_compound<B>) {
+  } else if constexpr (HasParts<B>) {
     return exchanged(manifold_of_parts(b, a, margin));
   } else if constexpr (are_quick_obbs<A, B>) {
     return margin > 0 ? manifold_within(a, b, margin) : manifold_of_obbs(a, b);

@@ -27,6 +27,7 @@
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/compiled/instances.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/scaling/range.hpp>
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/fields/visit.hpp>
@@ -243,11 +244,12 @@ template <Dim N, class T>
 Moments<N> moments_of(const AnyShape<N, T>& shape);
 
 /// Adds the parts by Steiner's theorem. Without any volume, the centroid is the mean of the parts' centroids.
-template <Dim N, class T>
-Moments<N> moments_of(const Compound<N, T>& compound) {
-  if (compound.parts.empty()) return moments_without_end<N>(0);
-  std::vector<Moments<N>> parts;
-  for (const Part<N, T>& part : compound.parts) parts.push_back(moments_of(part.shape));
+template <HasParts Whole>
+Moments<dimension_of<Whole>> moments_of_parts(const Whole& whole_shape) {
+  constexpr Dim N = dimension_of<Whole>;
+  std::vector<Moments<N>> parts(count_of_parts(whole_shape));
+  if (parts.empty()) return moments_without_end<N>(0);
+  for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = moments_of(part_of(whole_shape, i));
   const Vec<N, double> origin = parts.front().centroid;
   Moments<N> whole;
   Vec<N, double> first(0.0);
@@ -263,6 +265,30 @@ Moments<N> moments_of(const Compound<N, T>& compound) {
     whole.second += part.second + outer_product<N>(off, off) * part.volume;
   }
   return whole;
+}
+
+template <Dim N, class T>
+Moments<N> moments_of(const Compound<N, T>& compound) {
+  return moments_of_parts(compound);
+}
+
+/// Of a solid in 3D, the integrals over the tetrahedra of its faces, with their sign; without a positive volume, and
+/// for a surface, those of the faces.
+template <Dim N, class T>
+Moments<N> moments_of(const Mesh<N, T>& mesh) {
+  if constexpr (N == 3) {
+    if (mesh.kind() == MeshKind::solid) {
+      const Vec<3, double> origin = wide<3, T>(bounds(mesh).center());
+      SimplexSum<3> sum;
+      for (std::size_t face = 0; face < mesh.faces().size(); ++face) {
+        const Triangle<3, T> triangle = mesh.triangle(face);
+        sum.add({wide<3, T>(triangle.a) - origin, wide<3, T>(triangle.b) - origin, wide<3, T>(triangle.c) - origin});
+      }
+      const Moments<3> solid = sum.moments(origin, origin);
+      if (solid.volume > 0) return solid;
+    }
+  }
+  return moments_of_parts(mesh);
 }
 
 template <Dim N, class T>

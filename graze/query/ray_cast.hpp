@@ -12,6 +12,7 @@
 ///                                                              nearly along a capsule's axis, from inside a polytope
 ///                                                              in 3D, or nearly at its edges
 ///     compound                                                 part by part
+///     mesh                                                     face by face
 ///
 /// Filters, in query/ray/filter, decide most rays: the closed form with plain sums, or in float. Close cases are left
 /// to the careful calculation, query/ray/careful.hpp.
@@ -43,6 +44,7 @@
 
 #include <graze/math/vec.hpp>
 #include <graze/query/compiled/instances.hpp>
+#include <graze/query/mesh_hit.hpp>
 #include <graze/query/parts/visit.hpp>
 #include <graze/query/ray/careful.hpp>
 #include <graze/query/ray/filters.hpp>
@@ -115,33 +117,70 @@ template <class S, Dim N, class T>
 
 template <Dim N, class T>
 std::optional<RayHit<N, T>> first_hit(const Compound<N, T>& compound, const Ray<N, T>& ray, T t_max);
+template <Dim N, class T>
+std::optional<RayHit<N, T>> first_hit(const Mesh<N, T>& mesh, const Ray<N, T>& ray, T t_max);
 
 template <Dim N, class T>
 std::optional<RayHit<N, T>> first_hit(const AnyShape<N, T>& shape, const Ray<N, T>& ray, T t_max) {
   return detail::visit([&](const auto& held) { return first_hit(held, ray, t_max); }, shape);
 }
 
+/// A hit and the part that is hit.
+template <Dim N, class T>
+struct HitPart {
+  std::optional<RayHit<N, T>> hit;
+  std::size_t index = 0;
+};
+
+/// The parts that may be met by the rest of a path, which `visit` may shorten, in about the order in which it meets
+/// them.
+template <HasParts Whole, Dim N, class Visit>
+void visit_parts_along(const Whole& whole, const Path<N>& path, const RestOfPath<N>& rest, const Visit& visit) {
+  if (is_usable(path.direction)) {
+    visit_parts(whole, rest, ByKey(), visit);
+  } else {
+    visit_parts(whole, AnyPart(), visit);
+  }
+}
+
 /// The nearest hit of the parts, of several the first part's. After a hit, only parts with their box before it matter,
 /// but each is tested as if it were alone.
-template <Dim N, class T>
-std::optional<RayHit<N, T>> first_hit(const Compound<N, T>& compound, const Ray<N, T>& ray, T t_max) {
+template <HasParts Whole, Dim N, class T>
+HitPart<N, T> first_hit_of_parts(const Whole& whole, const Ray<N, T>& ray, T t_max) {
   std::optional<RayHit<N, T>> best;
   FirstPart first;
   const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), latest_t(t_max)};
   RestOfPath<N> rest(path);
-  const auto visit = [&](const Part<N, T>& part, std::size_t index) {
+  const auto visit = [&](const auto& part, std::size_t index) {
     const std::optional<RayHit<N, T>> found = first_hit(part.shape, ray, t_max);
     if (!found || !first.is_replaced_by(static_cast<double>(found->t), index)) return true;
     best = found;
     rest.end_at(latest_t(found->t));
     return true;
   };
-  if (is_usable(path.direction)) {
-    visit_parts(compound, rest, ByKey(), visit);
-  } else {
-    for (std::size_t i = 0; i < compound.parts.size(); ++i) visit(compound.parts[i], i);
+  visit_parts_along(whole, path, rest, visit);
+  return {best, first.index()};
+}
+
+template <Dim N, class T>
+std::optional<RayHit<N, T>> first_hit(const Compound<N, T>& compound, const Ray<N, T>& ray, T t_max) {
+  return first_hit_of_parts(compound, ray, t_max).hit;
+}
+
+/// A ray that starts inside a solid hits no face, but what is inside.
+template <Dim N, class T>
+HitPart<N, T> first_hit_of_mesh(const Mesh<N, T>& mesh, const Ray<N, T>& ray, T t_max) {
+  if (is_inside(mesh, ray.origin)) {
+    if (!(t_max >= T(0))) return {};
+    const RawHit<N> at_start{0, wide<N, T>(ray.origin)};
+    return {rounded<N, T>(at_start, 0, wide<N, T>(ray.direction), RaySide::entry), no_face};
   }
-  return best;
+  return first_hit_of_parts(mesh, ray, t_max);
+}
+
+template <Dim N, class T>
+std::optional<RayHit<N, T>> first_hit(const Mesh<N, T>& mesh, const Ray<N, T>& ray, T t_max) {
+  return first_hit_of_mesh(mesh, ray, t_max).hit;
 }
 
 /// Where a ray leaves a shape for good.
@@ -157,6 +196,19 @@ template <class S, Dim N, class T>
   } else {
     return cast_ray(shape, ray, t_max, RaySide::exit);
   }
+}
+
+/// The exit of a mesh is that of one of its faces, to the bit.
+template <Dim N, class T>
+HitPart<N, T> last_hit_of_mesh(const Mesh<N, T>& mesh, const Ray<N, T>& ray, T t_max) {
+  HitPart<N, T> found{last_hit(mesh, ray, t_max), no_face};
+  if (!found.hit) return found;
+  const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), latest_t(t_max)};
+  visit_parts_along(mesh, path, RestOfPath<N>(path), [&](const FacePart<N, T>& face, std::size_t index) {
+    if (index < found.index && last_hit(face.shape, ray, t_max) == found.hit) found.index = index;
+    return true;
+  });
+  return found;
 }
 
 }  // namespace detail
@@ -213,6 +265,24 @@ std::optional<RayHitOn<S>> ray_cast(const S& shape, const SegmentIn<S>& segment,
     return detail::rounded<N, T>({0, start}, 0, edge, options.side);
   }
   return detail::cast_along(shape, detail::Path<N>{start, edge, 1, sum_abs(edge)}, 1, options.side, ask);
+}
+
+/// The same for a mesh, and the face that is hit; of several at the same t the one with the least index. A ray through
+/// a common edge or corner of faces hits them, so none passes between two faces that share it. A ray that starts inside
+/// a solid hits no face, but enters at t = 0.
+template <Shape S>
+requires detail::is_mesh<S> std::optional<MeshHit<dimension_of<S>, scalar_of<S>>> ray_cast(
+    const S& mesh, const RayIn<S>& ray, scalar_of<S> t_max = std::numeric_limits<scalar_of<S>>::infinity(),
+    RayOptions options = {}) {
+  assert(is_valid(ray));
+  const auto found = options.side == RaySide::entry ? detail::first_hit_of_mesh(mesh, ray, t_max)
+                                                    : detail::last_hit_of_mesh(mesh, ray, t_max);
+  if (!found.hit) return std::nullopt;
+  MeshHit<dimension_of<S>, scalar_of<S>> hit{*found.hit};
+  if (found.index == no_face) return hit;
+  hit.face = found.index;
+  hit.barycentric = detail::barycentric_of(mesh.triangle(hit.face), hit.point);
+  return hit;
 }
 
 GRAZE_DECLARE_INSTANCES(GRAZE_RAY_CAST_INSTANCES)

@@ -41,6 +41,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/compiled/instances.hpp>
+#include <graze/query/parts/inside.hpp>
 #include <graze/query/parts/visit.hpp>
 #include <graze/query/relation/bounded.hpp>
 #include <graze/query/relation/convex.hpp>
@@ -68,11 +69,6 @@ template <Dim N, class T>
 inline constexpr bool is_point<Vec<N, T>> = true;
 
 template <class S>
-inline constexpr bool is_compound = false;
-template <Dim N, class T>
-inline constexpr bool is_compound<Compound<N, T>> = true;
-
-template <class S>
 inline constexpr bool is_any_shape = false;
 template <Dim N, class T>
 inline constexpr bool is_any_shape<AnyShape<N, T>> = true;
@@ -96,14 +92,17 @@ inline constexpr bool sees_nan = (is_core<A> && is_core<B>) || (is_point<A> && i
                                  ((is_a<Plane, A> || is_a<HalfSpace, A>)&&(is_core<B> || is_a<Triangle, B>)) ||
                                  (dimension_of<A> == 3 && is_filtered<A> && is_a<Triangle, B>);
 
-/// The closest part decides; parts whose boxes are apart beyond rounding are skipped.
-template <Dim N, class T, class S>
-Relation relation_of_parts(const Compound<N, T>& compound, const S& shape) {
+/// The closest part decides; parts whose boxes are apart beyond rounding are skipped. What no face of a solid mesh
+/// touches may still be inside.
+template <HasParts Whole, class S>
+Relation relation_of_parts(const Whole& whole, const S& shape) {
   Relation closest = Relation::apart;
-  visit_parts(compound, MayTouch<N, T>{touching_bounds(shape)}, [&](const Part<N, T>& part, std::size_t) {
+  const auto visit = [&](const auto& part, std::size_t) {
     closest = std::max(closest, decide(part.shape, shape));
     return closest != Relation::overlapping;
-  });
+  };
+  visit_parts(whole, MayTouch<dimension_of<S>, scalar_of<S>>{touching_bounds(shape)}, visit);
+  if (closest == Relation::apart && point_inside(whole, shape)) return Relation::overlapping;
   return closest;
 }
 
@@ -124,9 +123,9 @@ inline Relation decide(const A& a, const B& b) {
     return detail::visit([&b](const auto& held) { return decide(held, b); }, a);
   } else if constexpr (is_any_shape<B>) {
     return detail::visit([&a](const auto& held) { return decide(a, held); }, b);
-  } else if constexpr (is_compound<A>) {
+  } else if constexpr (is_compound<A> || (is_mesh<A> && !is_compound<B>)) {
     return relation_of_parts(a, b);
-  } else if constexpr (is_compound<B>) {
+  } else if constexpr (HasParts<B>) {
     return relation_of_parts(b, a);
   } else if constexpr (is_point<A> && is_point<B>) {
     return a == b ? Relation::touching : Relation::apart;

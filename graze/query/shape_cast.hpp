@@ -148,10 +148,10 @@ std::optional<CastHit<dimension_of<A>>> cast_hit(const A& a, const Vec<dimension
     return detail::visit([&](const auto& held) { return cast_hit(held, motion, b, options); }, a);
   } else if constexpr (is_any_shape<B>) {
     return detail::visit([&](const auto& held) { return cast_hit(a, motion, held, options); }, b);
-  } else if constexpr (is_compound<A>) {
+  } else if constexpr (HasParts<A>) {
     return cast_hit_of_parts(a, motion, b, options.target_distance,
                              [&](const auto& part) { return cast_hit(part, motion, b, options); });
-  } else if constexpr (is_compound<B>) {
+  } else if constexpr (HasParts<B>) {
     return cast_hit_of_parts(b, -motion, a, options.target_distance,
                              [&](const auto& part) { return cast_hit(a, motion, part, options); });
   } else {

@@ -8,6 +8,7 @@
 ///     point, segment, ray, triangle in 3D        closed form; zero or more, for they have no inside
 ///     plane                                      closed form; positive on the side that the normal points to
 ///     compound                                   the least over its parts, planes positive on both sides
+///     mesh                                       that of the nearest face; in 3D negative inside a solid
 ///
 /// A length, whatever the length of a normal. Calculated in double and rounded to T. The error before rounding is a few
 /// epsilon of double of the pair's own size; for half-spaces, 3D polytopes and users' shapes a few epsilon of the
@@ -74,6 +75,8 @@ template <Shape S>
 
 template <Dim N, class T>
 double signed_distance_of(const Compound<N, T>& compound, const Vec<N, T>& point);
+template <Dim N, class T>
+double signed_distance_of(const Mesh<N, T>& mesh, const Vec<N, T>& point);
 
 template <Dim N, class T>
 double signed_distance_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
@@ -88,23 +91,29 @@ double distance_of_part(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
 }
 
 template <Dim N, class T>
+double distance_of_part(const Triangle<N, T>& face, const Vec<N, T>& point) {
+  return signed_distance_of(face, point);
+}
+
+/// Of a shape without parts: `no_part`, infinitely far away.
 struct DecidingPart {
-  const Part<N, T>* part = nullptr;
+  static constexpr std::size_t no_part = std::numeric_limits<std::size_t>::max();
+
+  std::size_t index = no_part;
   double distance = std::numeric_limits<double>::infinity();
 };
 
 /// The part with the least signed distance, of several the first. Parts whose boxes are farther away are skipped.
-template <Dim N, class T>
-DecidingPart<N, T> deciding_part(const Compound<N, T>& compound, const Vec<N, T>& point) {
-  DecidingPart<N, T> best;
+template <Dim N, class T, template <Dim, class> class Whole>
+DecidingPart deciding_part(const Whole<N, T>& whole, const Vec<N, T>& point) {
+  DecidingPart best;
   MayBeNear<N, T> may_be_nearer{point, best.distance};
   const auto distance_to = [&point](const Aabb<N, T>& box) {
     return static_cast<double>(distance_squared(point, box));
   };
-  visit_parts(compound, may_be_nearer, distance_to, [&](const Part<N, T>& part, std::size_t) {
+  visit_parts(whole, may_be_nearer, distance_to, [&](const auto& part, std::size_t index) {
     const double distance = distance_of_part(part.shape, point);
-    const bool is_earlier = best.part == nullptr || &part < best.part;
-    if (distance < best.distance || (distance == best.distance && is_earlier)) best = {&part, distance};
+    if (distance < best.distance || (distance == best.distance && index < best.index)) best = {index, distance};
     may_be_nearer.distance = std::max(best.distance, 0.0);
     return true;
   });
@@ -114,6 +123,15 @@ DecidingPart<N, T> deciding_part(const Compound<N, T>& compound, const Vec<N, T>
 template <Dim N, class T>
 double signed_distance_of(const Compound<N, T>& compound, const Vec<N, T>& point) {
   return deciding_part(compound, point).distance;
+}
+
+/// That of the nearest face; only a solid in 3D has more inside than its faces.
+template <Dim N, class T>
+double signed_distance_of(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
+  const double distance = deciding_part(mesh, point).distance;
+  if (N == 2 || mesh.kind() == MeshKind::surface) return distance;
+  if (is_inside(mesh, point)) return -distance;
+  return with_sign(distance, distance <= 0 || is_held(mesh, point));
 }
 
 }  // namespace detail

@@ -282,15 +282,15 @@ class MayTouchInMotion {
 
 /// The first part to touch the shape, of several the first in order. `find(part)` tests one that may touch before the
 /// others.
-template <Dim N, class T, class S, class Find>
-std::optional<CastHit<N>> cast_hit_of_moving_parts(const Compound<N, T>& compound, const Motion<N, double>& motion,
+template <Dim N, class T, template <Dim, class> class Whole, class S, class Find>
+std::optional<CastHit<N>> cast_hit_of_moving_parts(const Whole<N, T>& whole, const Motion<N, double>& motion,
                                                    const S& shape, const Motion<N, double>& motion_of_shape,
                                                    const Find& find) {
   std::optional<CastHit<N>> best;
   FirstPart first;
   const Aabb<N, T> box = touching_bounds(shape);
   MayTouchInMotion<N, T> may_touch(motion, box, motion_of_shape);
-  visit_parts(compound, may_touch, NearBox<N, T>{box}, [&](const Part<N, T>& part, std::size_t index) {
+  visit_parts(whole, may_touch, NearBox<N, T>{box}, [&](const auto& part, std::size_t index) {
     const std::optional<CastHit<N>> found = find(part.shape);
     if (!found || !first.is_replaced_by(found->t, index)) return true;
     best = found;
@@ -308,13 +308,13 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_in_motion(const A& a, const Mot
     return detail::visit([&](const auto& held) { return cast_hit_in_motion(held, motion_a, b, motion_b); }, a);
   } else if constexpr (is_any_shape<B>) {
     return detail::visit([&](const auto& held) { return cast_hit_in_motion(a, motion_a, held, motion_b); }, b);
-  } else if constexpr (is_compound<A>) {
-    if constexpr (is_compound<B>) {
+  } else if constexpr (HasParts<A>) {
+    if constexpr (HasParts<B>) {
       if (!is_in_order(a, b)) return with_normal_turned(cast_hit_in_motion(b, motion_b, a, motion_a));
     }
     return cast_hit_of_moving_parts(a, motion_a, b, motion_b,
                                     [&](const auto& part) { return cast_hit_in_motion(part, motion_a, b, motion_b); });
-  } else if constexpr (is_compound<B>) {
+  } else if constexpr (HasParts<B>) {
     return cast_hit_of_moving_parts(b, motion_b, a, motion_a,
                                     [&](const auto& part) { return cast_hit_in_motion(a, motion_a, part, motion_b); });
   } else {

@@ -13,6 +13,7 @@
 #include <graze/shape/fields/description.hpp>
 #include <graze/shape/fields/visit.hpp>
 #include <graze/shape/half_space.hpp>
+#include <graze/shape/mesh.hpp>
 #include <graze/shape/obb.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/point.hpp>
@@ -28,8 +29,9 @@ namespace graze {
 /// A shape of any type; a point is a plain vector. Algorithms for pairs are written for arguments in the order of these
 /// alternatives.
 template <Dim N, class T = float>
-using AnyShape = std::variant<Vec<N, T>, Segment<N, T>, Ray<N, T>, Sphere<N, T>, Aabb<N, T>, Obb<N, T>, Plane<N, T>,
-                              HalfSpace<N, T>, Triangle<N, T>, Capsule<N, T>, Polytope<N, T>, Compound<N, T>>;
+using AnyShape =
+    std::variant<Vec<N, T>, Segment<N, T>, Ray<N, T>, Sphere<N, T>, Aabb<N, T>, Obb<N, T>, Plane<N, T>, HalfSpace<N, T>,
+                 Triangle<N, T>, Capsule<N, T>, Polytope<N, T>, Compound<N, T>, Mesh<N, T>>;
 
 /// One shape of a compound, and a box around it by which queries skip the part.
 template <Dim N, class T = float>

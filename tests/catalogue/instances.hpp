@@ -54,6 +54,7 @@
   GRAZE_TEST_TYPE(LINKAGE, Capsule, N, T)                                                                              \
   GRAZE_TEST_TYPE(LINKAGE, Polytope, N, T)                                                                             \
   GRAZE_TEST_TYPE(LINKAGE, Compound, N, T)                                                                             \
+  GRAZE_TEST_TYPE(LINKAGE, Mesh, N, T)                                                                                 \
   GRAZE_TEST_TYPE(LINKAGE, Pose, N, T)
 
 #define GRAZE_TEST_TYPE(LINKAGE, S, N, T)                       \

@@ -20,6 +20,7 @@
 #include "exact/enclosed.hpp"
 #include "exact/hull_certificate.hpp"
 #include "exact/level_certificate.hpp"
+#include "parts_of.hpp"
 
 namespace graze::test {
 
@@ -68,8 +69,8 @@ GapBounds bounds_of_parts(const Compound<N, T>& compound, const AnyShape<N, T>& 
 
 template <Dim N, class T>
 GapBounds gap_bounds(const AnyShape<N, T>& a, const AnyShape<N, T>& b, Relation claim) {
-  if (const auto* parts = std::get_if<Compound<N, T>>(&a)) return bounds_of_parts<N, T>(*parts, b, claim);
-  if (const auto* parts = std::get_if<Compound<N, T>>(&b)) return bounds_of_parts<N, T>(*parts, a, claim);
+  if (const auto parts = parts_of<N, T>(a)) return bounds_of_parts<N, T>(*parts, b, claim);
+  if (const auto parts = parts_of<N, T>(b)) return bounds_of_parts<N, T>(*parts, a, claim);
   return body_bounds(detail::visit(BodyMaker<N, T>(), a), std::visit(BodyMaker<N, T>(), b), claim);
 }
 

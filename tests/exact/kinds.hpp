@@ -22,5 +22,7 @@ template <class S>
 inline constexpr bool has_parts = false;
 template <Dim N, class T>
 inline constexpr bool has_parts<Compound<N, T>> = true;
+template <Dim N, class T>
+inline constexpr bool has_parts<Mesh<N, T>> = true;
 
 }  // namespace graze::test

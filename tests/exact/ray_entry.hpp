@@ -21,6 +21,7 @@
 #include "exact/numbers.hpp"
 #include "exact/solid.hpp"
 #include "exact/unbounded.hpp"
+#include "parts_of.hpp"
 
 namespace graze::test {
 
@@ -181,7 +182,8 @@ std::optional<double> exact_entry(const AnyShape<N, T>& shape, const Ray<N, T>& 
         using S = std::decay_t<decltype(held)>;
         if constexpr (has_parts<S>) {
           std::optional<double> first;
-          for (const Part<N, T>& part : held.parts) {
+          const auto whole = parts_of<N, T>(shape);
+          for (const Part<N, T>& part : whole->parts) {
             const std::optional<double> entry = exact_entry<N, T>(part.shape, ray);
             if (entry && (!first || *entry < *first)) first = entry;
           }

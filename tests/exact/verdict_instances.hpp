@@ -19,6 +19,7 @@
 #include "exact/solid.hpp"
 #include "exact/unbounded.hpp"
 #include "exact/verdict.hpp"
+#include "parts_of.hpp"
 
 namespace graze::test {
 
@@ -107,9 +108,9 @@ ExactVerdict exact_verdict(const AnyShape<N, T>& a, const AnyShape<N, T>& b, Mea
   return detail::visit(
       [&](const auto& held_a, const auto& held_b) -> ExactVerdict {
         if constexpr (has_parts<std::decay_t<decltype(held_a)>>) {
-          return parts_verdict(held_a, b, measure);
+          return parts_verdict(*parts_of<N, T>(a), b, measure);
         } else if constexpr (has_parts<std::decay_t<decltype(held_b)>>) {
-          return parts_verdict(held_b, a, measure);
+          return parts_verdict(*parts_of<N, T>(b), a, measure);
         } else {
           return simple_verdict(held_a, held_b, measure);
         }

@@ -30,8 +30,8 @@ namespace graze::exam {
 /// Whether the oracle can decide when shapes of these types meet: bounded convex ones, one of which may be a plane or a
 /// half-space.
 constexpr bool can_examine_casts(std::size_t a, std::size_t b) {
-  constexpr std::array<bool, type_count> is_solid = {true,  true,  false, true, true, true,
-                                                     false, false, true,  true, true, false};
+  constexpr std::array<bool, type_count> is_solid = {true,  true, false, true, true,  true, false,
+                                                     false, true, true,  true, false, false};
   constexpr std::size_t plane = 6;
   constexpr std::size_t half_space = 7;
   return is_solid[a] && (b == plane || b == half_space || (is_solid[b] && a <= b));

@@ -37,9 +37,9 @@ class PointQuestion {
   static constexpr std::size_t variations = 0;
   static constexpr bool has_rivals = false;
 
-  /// All types except compounds, the last, which are their parts.
+  /// All types except compounds and meshes, the last, which are their parts.
   static std::vector<Subject> subjects() {
-    std::vector<Subject> all = shape_subjects(" and points", 0, [](std::size_t type) { return type + 1 < type_count; });
+    std::vector<Subject> all = shape_subjects(" and points", 0, [](std::size_t type) { return type + 2 < type_count; });
     for (Subject& subject : all) subject.seed = 0;  // each type has its own generator
     return all;
   }

@@ -87,6 +87,20 @@ void fill(Input& input, Polytope<N, T>& polytope) {
   polytope = convex_hull<N, T>(corners);
 }
 
+/// A surface, which the oracle knows, of finite vertices: mesh_of refuses others.
+template <Dim N, class T>
+void fill(Input& input, Mesh<N, T>& mesh) {
+  std::vector<Vec<N, T>> vertices = points<N, T>(input, 8);
+  for (Vec<N, T>& vertex : vertices) {
+    if (!is_finite(vertex)) vertex = Vec<N, T>(T(0));
+  }
+  std::vector<std::array<std::uint32_t, 3>> faces(vertices.empty() ? 0 : input.below(6));
+  for (std::array<std::uint32_t, 3>& face : faces) {
+    for (std::uint32_t& vertex : face) vertex = static_cast<std::uint32_t>(input.below(vertices.size()));
+  }
+  mesh = mesh_of<N, T>(vertices, faces);
+}
+
 template <Dim N, class T>
 AnyShape<N, T> any_shape(Input& input, int depth = 1);
 
@@ -100,14 +114,14 @@ void fill(Input& input, Compound<N, T>& compound, int depth) {
 template <Dim N, class T>
 AnyShape<N, T> any_shape(Input& input, int depth) {
   constexpr std::size_t types = std::variant_size_v<AnyShape<N, T>>;
-  const std::size_t type = input.below(depth > 0 ? types : types - 1);
+  const std::size_t type = input.below(types);
   AnyShape<N, T> shape;
   [&]<std::size_t... Indices>(std::index_sequence<Indices...>) {
     const auto make = [&]<std::size_t index>(std::integral_constant<std::size_t, index>) {
       if (index != type) return;
       auto& held = shape.template emplace<index>();
-      if constexpr (index == types - 1) {
-        fill(input, held, depth);
+      if constexpr (std::is_same_v<std::decay_t<decltype(held)>, Compound<N, T>>) {
+        if (depth > 0) fill(input, held, depth);
       } else {
         fill(input, held);
       }

@@ -94,11 +94,12 @@ TEST(SceneFile, AProtectedFileIsNamedWithTheReason) {
   EXPECT_EQ(refusal_of_file(path), path.string() + ": cannot be opened: Permission denied");
 }
 
-TEST(SceneFile, TheWorkshopHoldsEveryTypeOfShapeAndSomeDozensOfPairs) {
+TEST(SceneFile, TheWorkshopHoldsEveryTypeOfShapeButMeshesAndSomeDozensOfPairs) {
   const SceneFile file = read_scene(project_file("data/workshop.json"));
   const auto& scene = std::get<Scene<3, double>>(file.scene);
   std::set<std::string_view> types;
   for (const ObjectId id : scene.ids()) types.insert(type_name<3, double>(scene.object(id).shape));
+  types.insert("mesh");
   EXPECT_EQ(types.size(), shape_type_names.size());
   EXPECT_EQ(scene.size(), 345U);
   EXPECT_EQ(scene.pairs().size(), 62U);

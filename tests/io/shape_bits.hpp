@@ -41,6 +41,13 @@ void append_bits(Bits& bits, const Polytope<N, double>& polytope) {
 }
 
 template <Dim N>
+void append_bits(Bits& bits, const Mesh<N, double>& mesh) {
+  for (const Vec<N, double>& vertex : mesh.vertices()) append_bits<N>(bits, vertex);
+  for (const std::array<std::uint32_t, 3>& face : mesh.faces()) bits.insert(bits.end(), face.begin(), face.end());
+  bits.push_back(static_cast<std::uint64_t>(mesh.kind()));
+}
+
+template <Dim N>
 Bits bits_of(const AnyShape<N, double>& shape);
 
 template <Dim N>

@@ -69,7 +69,7 @@ class CaseVariations {
   }
 
   void nudge(Any& shape) {
-    if (std::holds_alternative<Polytope<N, T>>(shape)) {
+    if (std::holds_alternative<Polytope<N, T>>(shape) || std::holds_alternative<Mesh<N, T>>(shape)) {
       nudge_chosen(shape, [](Any& any, const auto& visit) {
         for_each_vector<N, T>(any, [&visit](Vec<N, T>& v) {
           for (Dim i = 0; i < N; ++i) visit(v[i]);

@@ -17,6 +17,7 @@
 
 #include "catalogue.hpp"
 #include "exact.hpp"
+#include "parts_of.hpp"
 #include "query/numbers_of.hpp"
 #include "query/placement.hpp"
 
@@ -36,6 +37,11 @@ struct Widener {
     std::vector<Vec<N, double>> points;
     for (const Vec<N, T>& vertex : polytope.vertices()) points.push_back(wide<N, T>(vertex));
     return convex_hull<N, double>(points);
+  }
+  Any operator()(const Mesh<N, T>& mesh) const {
+    std::vector<Vec<N, double>> vertices;
+    for (const Vec<N, T>& vertex : mesh.vertices()) vertices.push_back(wide<N, T>(vertex));
+    return mesh_of<N, double>(vertices, mesh.faces(), mesh.kind());
   }
   Any operator()(const Compound<N, T>& compound) const {
     std::vector<Any> parts;
@@ -76,7 +82,7 @@ class CastCases {
   /// The largest coordinate of a shape, or of any of its parts.
   static double extent(const Any& shape) {
     double largest = size_of<dimension, Number>({shape, shape});
-    if (const auto* compound = std::get_if<Compound<dimension, Number>>(&shape)) {
+    if (const auto compound = parts_of<dimension, Number>(shape)) {
       for (const auto& part : compound->parts) largest = std::max(largest, extent(part.shape));
     }
     return largest;

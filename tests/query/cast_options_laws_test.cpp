@@ -16,6 +16,7 @@
 #include <graze/shape/any_shape.hpp>
 
 #include "catalogue.hpp"
+#include "parts_of.hpp"
 #include "query/cast_cases.hpp"
 #include "query/cast_laws.hpp"
 #include "query/shape_casts.hpp"
@@ -53,7 +54,7 @@ class CastOptionsLaw : public ::testing::Test, public CastCases<SpaceType> {
     return target;
   }
 
-  static bool is_compound(const Any& shape) { return std::holds_alternative<Compound<dimension, Number>>(shape); }
+  static bool has_parts(const Any& shape) { return is_union<dimension, Number>(shape); }
 
   /// By how much the shapes may get nearer although the motion does not approach them.
   static double slack(const Case& drawn) {
@@ -97,7 +98,7 @@ TYPED_TEST(CastOptionsLaw, SwappedShapesStopAtTheSameTime) {
     using T = typename TypeParam::scalar;
     const auto drawn = TestFixture::draw_case();
     const double target = TestFixture::draw_target(drawn);
-    const bool may_be_equal = TestFixture::is_compound(drawn.a) || TestFixture::is_compound(drawn.b) ||
+    const bool may_be_equal = TestFixture::has_parts(drawn.a) || TestFixture::has_parts(drawn.b) ||
                               to_source<N, T>(drawn.a) == to_source<N, T>(drawn.b);
     for (const bool ignores : {false, true}) {
       if (ignores && may_be_equal) continue;  // the normal of the contact of equal shapes is that of the swapped ones
@@ -145,7 +146,7 @@ TYPED_TEST(CastOptionsLaw, WhatStopsTheCastIsApproached) {
     RC_ASSERT(plain.has_value());
     RC_ASSERT(plain->t <= found->t);
     RC_ASSERT(dot(found->normal, wide<TypeParam::dimension, typename TypeParam::scalar>(drawn.motion)) > 0);
-    if (TestFixture::is_compound(drawn.a) || TestFixture::is_compound(drawn.b)) return;
+    if (TestFixture::has_parts(drawn.a) || TestFixture::has_parts(drawn.b)) return;
     RC_ASSERT(plain->t == found->t);
     RC_ASSERT(plain->normal == found->normal);
     RC_ASSERT(plain->point == found->point);
@@ -156,7 +157,7 @@ TYPED_TEST(CastOptionsLaw, WhatStopsTheCastIsApproached) {
 TYPED_TEST(CastOptionsLaw, WhatDoesNotStopTheCastNeverGoesDeeper) {
   check_property([] {
     const auto drawn = TestFixture::draw_case();
-    RC_PRE(!TestFixture::is_compound(drawn.a) && !TestFixture::is_compound(drawn.b));
+    RC_PRE(!TestFixture::has_parts(drawn.a) && !TestFixture::has_parts(drawn.b));
     if (TestFixture::cast_hit(drawn, {true, 0})) return;
     const double start = std::min(0.0, TestFixture::gap_at(drawn, 0));
     const auto contact = detail::penetration(drawn.a, drawn.b);

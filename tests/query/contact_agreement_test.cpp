@@ -24,6 +24,7 @@
 
 #include "catalogue.hpp"
 #include "exact.hpp"
+#include "parts_of.hpp"
 #include "query/contacts.hpp"
 #include "query/every_pair.hpp"
 #include "query/pairs.hpp"
@@ -147,7 +148,7 @@ class PairCheck {
   /// The minimum translation leaves the shapes touching. Only in double, which hardly rounds the shape's coordinates.
   void check_move() {
     if constexpr (std::is_same_v<T, double>) {
-      const bool has_parts = std::holds_alternative<Compound<N, T>>(a_) || std::holds_alternative<Compound<N, T>>(b_);
+      const bool has_parts = is_union<N, T>(a_) || is_union<N, T>(b_);
       if (has_parts) return;
       const ExactVerdict after = exact_verdict<N, T>(a_, moved<N, T>(b_, exact_.normal * exact_.depth));
       if (after.is_nearly_parallel) return;

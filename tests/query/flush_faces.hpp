@@ -3,7 +3,9 @@
 // not show.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -25,7 +27,7 @@
 
 namespace graze::test {
 
-/// Generates a pair of shapes of any types: polytopes, triangles and segments are new, all others are moved.
+/// Generates a pair of shapes of any types: polytopes, meshes, triangles and segments are new, all others are moved.
 template <Dim N, class T>
 class FlushFaces {
  public:
@@ -58,6 +60,11 @@ class FlushFaces {
       return Triangle<N, T>{in_plane(), in_plane(), last};
     }
     if (std::holds_alternative<Segment<N, T>>(drawn)) return Segment<N, T>{in_plane(), in_plane()};
+    if (std::holds_alternative<Mesh<N, T>>(drawn)) {
+      std::vector<Vec<N, T>> vertices = {in_plane(), in_plane(), in_plane(), in_plane()};
+      vertices.back() += Vec<N, T>(unit_axis<N>(0) * side);
+      return mesh_of<N, T>(vertices, std::array<std::array<std::uint32_t, 3>, 2>{{{0, 1, 3}, {2, 3, 1}}});
+    }
     const auto box = bounds(drawn);
     const T end = side < 0 ? box.max[0] : box.min[0];
     return std::isfinite(end) ? moved<N, T>(drawn, Vec<N, T>(unit_axis<N>(0)) * -end) : drawn;

@@ -23,6 +23,7 @@
 
 #include "catalogue.hpp"
 #include "exact.hpp"
+#include "parts_of.hpp"
 #include "query/pairs.hpp"
 #include "query/placement.hpp"
 #include "query/times_of_impact.hpp"
@@ -43,9 +44,10 @@ AnyShape<N, double> place_at(const AnyShape<N, T>& shape, const Motion<N, T>& mo
           return transformed(convex_hull<N, double>(points), pose);
         } else if constexpr (std::is_same_v<S, Vec<N, T>>) {
           return transformed(wide<N, T>(held), pose);
-        } else if constexpr (std::is_same_v<S, Compound<N, T>>) {
+        } else if constexpr (std::is_same_v<S, Compound<N, T>> || std::is_same_v<S, Mesh<N, T>>) {
           std::vector<InDouble> parts;
-          for (const auto& part : held.parts) parts.push_back(place_at<N, T>(part.shape, motion, t));
+          const auto whole = parts_of<N, T>(shape);
+          for (const auto& part : whole->parts) parts.push_back(place_at<N, T>(part.shape, motion, t));
           return compound_of<N, double>(std::move(parts));
         } else {
           return transformed(detail::widened(held), pose);
@@ -58,7 +60,7 @@ AnyShape<N, double> place_at(const AnyShape<N, T>& shape, const Motion<N, T>& mo
 template <Dim N, class T>
 double extent_of(const AnyShape<N, T>& shape) {
   double largest = size_of<N, T>({shape, shape});
-  if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
+  if (const auto compound = parts_of<N, T>(shape)) {
     for (const auto& part : compound->parts) largest = std::max(largest, extent_of<N, T>(part.shape));
   }
   return largest;

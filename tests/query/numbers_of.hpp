@@ -12,6 +12,7 @@
 #include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
+#include "parts_of.hpp"
 
 namespace graze::test {
 
@@ -31,6 +32,11 @@ void for_each_vector(AnyShape<N, T>& shape, const Visit& visit) {
     std::vector<Vec<N, T>> points(polytope->vertices().begin(), polytope->vertices().end());
     for (Vec<N, T>& point : points) visit(point);
     shape = convex_hull<N, T>(points);
+  } else if (const auto* mesh = std::get_if<Mesh<N, T>>(&shape)) {
+    shape = with_vertices_changed(*mesh, [&visit](Vec<N, T> vertex) {
+      visit(vertex);
+      return vertex;
+    });
   } else if (auto* compound = std::get_if<Compound<N, T>>(&shape)) {
     std::vector<AnyShape<N, T>> parts;
     for (Part<N, T>& part : compound->parts) {
@@ -44,12 +50,12 @@ void for_each_vector(AnyShape<N, T>& shape, const Visit& visit) {
   }
 }
 
-/// Calls `visit(x)` for each number of a shape that is not a polytope or a compound, if `takes` accepts its kind of
-/// field.
+/// Calls `visit(x)` for each number of a shape that is not a polytope, a mesh or a compound, if `takes` accepts its
+/// kind of field.
 template <Dim N, class T, class Visit, class Takes>
 void for_each_number_in(AnyShape<N, T>& shape, const Visit& visit, const Takes& takes) {
   const auto in_field = [&]<class Field>(const Field&, auto& value) {
-    if constexpr (Field::kind != FieldKind::hull && Field::kind != FieldKind::parts) {
+    if constexpr (!detail::is_read_only(Field::kind) && Field::kind != FieldKind::parts) {
       if (takes(Field::kind)) detail::for_each_number(value, visit);
     }
   };
@@ -73,7 +79,13 @@ AnyShape<N, T> with_lengths(AnyShape<N, T> shape, const Change& change) {
     }
     return convex_hull_in_order<N, T>(points);
   }
-  if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
+  if (const auto* mesh = std::get_if<Mesh<N, T>>(&shape)) {
+    return with_vertices_changed(*mesh, [&change](Vec<N, T> vertex) {
+      for (Dim i = 0; i < N; ++i) vertex[i] = change(vertex[i]);
+      return vertex;
+    });
+  }
+  if (const auto compound = parts_of<N, T>(shape)) {
     std::vector<AnyShape<N, T>> parts;
     for (const Part<N, T>& part : compound->parts) parts.push_back(with_lengths<N, T>(part.shape, change));
     return compound_of<N, T>(std::move(parts));

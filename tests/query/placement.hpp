@@ -16,6 +16,7 @@
 #include <graze/shape/fields/visit.hpp>
 
 #include "catalogue.hpp"
+#include "parts_of.hpp"
 
 namespace graze::test {
 
@@ -32,6 +33,9 @@ AnyShape<N, T> moved(AnyShape<N, T> shape, const Vec<N, T>& offset) {
     std::vector<AnyShape<N, T>> parts;
     for (const Part<N, T>& part : compound->parts) parts.push_back(moved<N, T>(part.shape, offset));
     return compound_of<N, T>(std::move(parts));
+  }
+  if (const auto* mesh = std::get_if<Mesh<N, T>>(&shape)) {
+    return with_vertices_changed(*mesh, [&offset](const Vec<N, T>& vertex) { return vertex + offset; });
   }
   const auto move = [&offset](auto& held) {
     detail::for_each_field(held, [&]<class Field>(const Field&, auto& value) {
@@ -117,6 +121,10 @@ struct PointOf {
     std::vector<Point> corners;
     for (const Vec<N, T>& vertex : polytope.vertices()) corners.push_back(wide<N, T>(vertex));
     return mix(corners);
+  }
+  /// Of the first face, likewise.
+  Point operator()(const Mesh<N, T>& mesh) const {
+    return mesh.faces().empty() ? Point(0.0) : (*this)(mesh.triangle(0));
   }
   /// Of the first part; the origin if there is none.
   Point operator()(const Compound<N, T>& compound) const {

@@ -49,12 +49,12 @@ void expect_exact_answers(const S& shape, const Vec<N, T>& point, WorstErrors& w
   worst.boundary = std::max(worst.boundary, errors.boundary / errors.slenderness);
 }
 
-/// Every type except compounds, which are their parts.
+/// Every type except compounds and meshes, which are their parts.
 template <Dim N, class T>
 void expect_exact_answers_of_every_type() {
   std::size_t index = 0;
   for_each_shape_type<N, T>([&]<class S>(std::type_identity<S>) {
-    if constexpr (!std::is_same_v<S, Compound<N, T>>) {
+    if constexpr (!has_parts<S>) {
       WorstErrors worst;
       check_property([&worst, index] {
         const auto [shape, point] = *shape_and_point<N, T>(index);

@@ -18,6 +18,7 @@
 
 #include "catalogue.hpp"
 #include "exact/point.hpp"
+#include "parts_of.hpp"
 #include "query/numbers_of.hpp"
 #include "query/placement.hpp"
 #include "query/point_answers.hpp"
@@ -34,7 +35,7 @@ double whole_size_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   if (const auto* ray = std::get_if<Ray<N, T>>(&shape)) {
     size = std::max(size, static_cast<double>(max_abs(ray->origin)));
   }
-  if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
+  if (const auto compound = parts_of<N, T>(shape)) {
     for (const Part<N, T>& part : compound->parts) size = std::max(size, whole_size_of<N, T>(part.shape, point));
   }
   return size;
@@ -43,7 +44,7 @@ double whole_size_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
 /// The factor by which answers may be less accurate close to a shape's sharp corners.
 template <Dim N, class T>
 double sharpness_of(const AnyShape<N, T>& shape) {
-  if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
+  if (const auto compound = parts_of<N, T>(shape)) {
     double sharpest = 1;
     for (const Part<N, T>& part : compound->parts) sharpest = std::max(sharpest, sharpness_of<N, T>(part.shape));
     return sharpest;
@@ -69,7 +70,7 @@ double length_between(const Vec<N, T>& a, const Vec<N, T>& b) {
 /// Whether the shape has an interior, so that the laws of solids hold; a compound if all its parts do.
 template <Dim N, class T>
 bool is_solid(const AnyShape<N, T>& shape) {
-  if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
+  if (const auto compound = parts_of<N, T>(shape)) {
     return std::all_of(compound->parts.begin(), compound->parts.end(),
                        [](const Part<N, T>& part) { return is_solid<N, T>(part.shape); });
   }
@@ -141,7 +142,7 @@ TYPED_TEST(PointLaw, TheSignedDistanceIsThatToTheClosestBoundaryPoint) {
 TYPED_TEST(PointLaw, NoPointOfTheShapeIsNearerThanTheDistance) {
   TestFixture::check([](const auto& shape, const auto& point) {
     using Number = typename TestFixture::T;
-    if (std::holds_alternative<Compound<TestFixture::N, Number>>(shape)) return;  // may begin with an empty part
+    if (is_union<TestFixture::N, Number>(shape)) return;  // may begin with an empty part
     rc::Random random(*rc::gen::arbitrary<std::uint64_t>());
     const typename TestFixture::Point other(point_of<TestFixture::N, Number>(shape, random));
     double slack = allowed<TestFixture::N, Number>(shape, point) + allowed<TestFixture::N, Number>(shape, other);

@@ -18,6 +18,7 @@
 #include "exact/point.hpp"
 #include "exact/ray_entry.hpp"
 #include "exact/verdict.hpp"
+#include "parts_of.hpp"
 #include "query/verdict_band.hpp"
 
 namespace graze::test {
@@ -25,7 +26,7 @@ namespace graze::test {
 /// The signed distance of a point; for compounds that of the nearest part, for planes never negative.
 template <Dim N, class T>
 double exact_height(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
-  if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
+  if (const auto compound = parts_of<N, T>(shape)) {
     double least = std::numeric_limits<double>::infinity();
     for (const Part<N, T>& part : compound->parts) least = std::min(least, exact_height<N, T>(part.shape, point));
     return least;

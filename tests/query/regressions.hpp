@@ -75,6 +75,15 @@ std::string shape_text(AnyShape<N, T> shape) {
   } else if (const auto* compound = std::get_if<Compound<N, T>>(&shape)) {
     text += " " + std::to_string(compound->parts.size());
     for (const Part<N, T>& part : compound->parts) text += " " + shape_text<N, T>(part.shape);
+  } else if (const auto* mesh = std::get_if<Mesh<N, T>>(&shape)) {
+    text += " " + std::to_string(mesh->vertices().size());
+    for (Vec<N, T> vertex : mesh->vertices()) {
+      for (Dim i = 0; i < N; ++i) append(vertex[i]);
+    }
+    text += " " + std::to_string(mesh->faces().size());
+    for (const auto& face : mesh->faces()) {
+      for (const std::uint32_t vertex : face) text += " " + std::to_string(vertex);
+    }
   } else {
     for_each_number<N, T>(shape, append);
   }
@@ -123,6 +132,16 @@ AnyShape<N, T> read_shape(std::istream& words) {
     std::vector<AnyShape<N, T>> parts(read_number<std::size_t>(words));
     for (AnyShape<N, T>& part : parts) part = read_shape<N, T>(words);
     shape = compound_of<N, T>(std::move(parts));
+  } else if (std::holds_alternative<Mesh<N, T>>(shape)) {
+    std::vector<Vec<N, T>> vertices(read_number<std::size_t>(words));
+    for (Vec<N, T>& vertex : vertices) {
+      for (Dim i = 0; i < N; ++i) read(vertex[i]);
+    }
+    std::vector<std::array<std::uint32_t, 3>> faces(read_number<std::size_t>(words));
+    for (auto& face : faces) {
+      for (std::uint32_t& vertex : face) vertex = read_number<std::uint32_t>(words);
+    }
+    shape = mesh_of<N, T>(vertices, faces);
   } else {
     for_each_number<N, T>(shape, read);
   }

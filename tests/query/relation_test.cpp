@@ -79,7 +79,7 @@ class RelationTable : public ::testing::Test {
   /// Whether a type has an interior.
   static bool is_solid(std::size_t place) {
     const std::string_view name = shape_type_names[place];
-    if (name == "triangle") return N == 2;
+    if (name == "triangle" || name == "mesh") return N == 2;
     return name != "point" && name != "segment" && name != "ray" && name != "plane";
   }
 

@@ -45,10 +45,13 @@ AnyShape<N, T> row_shape(std::size_t type, T side, T size = T(1)) {
       Capsule<N, T>{up, -up, size},
       convex_hull<N, T>(corners),
   };
-  static_assert(simple.size() + 1 == shape_type_names.size(),
+  static_assert(simple.size() + 2 == shape_type_names.size(),
                 "tests/query/row_of_shapes.hpp has a row of one shape of each type: add the new one");
   if (type < simple.size()) return simple[type];
-  return compound_of<N, T>({simple[3], Sphere<N, T>{end * T(-3), size}});
+  if (type == simple.size()) return compound_of<N, T>({simple[3], Sphere<N, T>{end * T(-3), size}});
+  const auto& triangle = std::get<Triangle<N, T>>(simple[8]);
+  const std::array<V, 4> vertices = {triangle.a, triangle.b, triangle.c, triangle.b + triangle.c - triangle.a};
+  return mesh_of<N, T>(vertices, std::array<std::array<std::uint32_t, 3>, 2>{{{0, 1, 2}, {3, 2, 1}}});
 }
 
 inline constexpr std::size_t row_types = shape_type_names.size();

@@ -13,6 +13,7 @@
 #include <graze/shape/fields/shape_order.hpp>
 
 #include "catalogue.hpp"
+#include "parts_of.hpp"
 #include "query/contacts.hpp"
 #include "query/pairs.hpp"
 #include "query/placement.hpp"
@@ -135,9 +136,8 @@ TYPED_TEST(SeparationLaw, MovingByItLeavesBothTouching) {
     const double left = static_cast<double>(separation(pair.first, other).distance);
     RC_LOG() << to_source<dimension, Number>(pair.first) << ", " << to_source<dimension, Number>(pair.second) << ": "
              << found.distance << ", then " << left << "\n";
-    // Another part of a compound may be in the way.
-    const bool has_parts = std::holds_alternative<Compound<dimension, Number>>(pair.first) ||
-                           std::holds_alternative<Compound<dimension, Number>>(pair.second);
+    // Another part may be in the way.
+    const bool has_parts = is_union<dimension, Number>(pair.first) || is_union<dimension, Number>(pair.second);
     RC_ASSERT(left <= rounding * size + 4 * found.error);
     RC_ASSERT(has_parts || left >= -rounding * size - 4 * found.error);
   });

@@ -13,6 +13,7 @@
 #include <graze/shape/any_shape.hpp>
 
 #include "catalogue.hpp"
+#include "parts_of.hpp"
 #include "query/impact_judgement.hpp"
 #include "query/moving_gap.hpp"
 #include "query/pairs.hpp"
@@ -138,7 +139,7 @@ TYPED_TEST(TimeOfImpactLaw, ACompoundTouchesWhenItsFirstPartDoes) {
     if (!first) return;
     const bool is_one = one && (!two || one->t <= two->t);
     RC_ASSERT(first->t == (is_one ? one : two)->t);
-    if (!std::holds_alternative<Compound<N, T>>(drawn.a)) RC_ASSERT(first->point == (is_one ? one : two)->point);
+    if (!is_union<N, T>(drawn.a)) RC_ASSERT(first->point == (is_one ? one : two)->point);
   });
 }
 

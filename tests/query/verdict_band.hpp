@@ -26,8 +26,9 @@ inline constexpr double least_size = 1e-140;
 /// Which size the error of a pair is relative to: the letters in relation.hpp's table. C for pairs of point, segment,
 /// ray, sphere, aabb, obb, triangle and capsule.
 inline bool is_relative_to_own_size(std::size_t type_a, std::size_t type_b) {
-  constexpr std::array<bool, 12> has_closed_form = {true,  true,  true, true, true,  true,
-                                                    false, false, true, true, false, false};
+  constexpr std::array has_closed_form = {true,  true, true, true,  true,  true, false,
+                                          false, true, true, false, false, false};
+  static_assert(has_closed_form.size() == shape_type_names.size());
   return has_closed_form[type_a] && has_closed_form[type_b];
 }
 

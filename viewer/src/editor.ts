@@ -89,7 +89,7 @@ export class Editor {
     const type = this.#shapes[place]?.type ?? "point";
     const before = this.#shapes.slice(0, place).filter((shape) => shape.type === type).length;
     const isOnly = this.#shapes.filter((shape) => shape.type === type).length === 1;
-    const name = this.#kit.names[type];
+    const name = type === "mesh" ? type : this.#kit.names[type];
     return isOnly ? name : `${name} ${before + 1}`;
   }
 

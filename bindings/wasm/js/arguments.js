@@ -4,6 +4,8 @@
 import { numbersOf } from "./core.js";
 import { dimensionOf, pointText, rayText, textOf } from "./text.js";
 
+const meshKinds = ["surface", "solid"];
+
 /** In place of a dimension: this value cannot be written as numbers. */
 export const refused = -1;
 
@@ -168,6 +170,28 @@ export class Arguments {
     return found;
   }
 
+  faces(value, n) {
+    if (!Array.isArray(value)) return refused;
+    this.#put(value.length);
+    for (let i = 0; i < value.length; ++i) {
+      const face = value[i];
+      if ((!Array.isArray(face) && !ArrayBuffer.isView(face)) || face.length !== 3) return refused;
+      for (let k = 0; k < 3; ++k) {
+        const vertex = face[k];
+        if (!Number.isInteger(vertex) || vertex < 0) return refused;
+        this.#put(vertex);
+      }
+    }
+    return n;
+  }
+
+  meshKind(value, n) {
+    const place = meshKinds.indexOf(value);
+    if (place < 0) return refused;
+    this.#put(place);
+    return n;
+  }
+
   parts(value, n, depth) {
     return depth < this.#shapes.mostDepth ? this.shapes(value, n, depth + 1) : refused;
   }
@@ -220,6 +244,8 @@ export class Arguments {
     vector: (reader) => reader.vector(),
     axes: (reader) => Array.from({ length: reader.dimension }, () => reader.vector()),
     points: (reader) => Array.from({ length: reader.number() }, () => reader.vector()),
+    faces: (reader) => Array.from({ length: reader.number() }, () => [reader.number(), reader.number(), reader.number()]),
+    meshKind: (reader) => meshKinds[reader.number()],
     parts: (reader) => Array.from({ length: reader.number() }, () => this.readShape(reader)),
   };
 }

@@ -43,7 +43,12 @@ constexpr std::string_view kind_name(FieldKind kind) {
     case FieldKind::axes:
       return "axes";
     case FieldKind::hull:
+    case FieldKind::vertices:
       return "points";
+    case FieldKind::faces:
+      return "faces";
+    case FieldKind::mesh_kind:
+      return "meshKind";
     case FieldKind::parts:
       return "parts";
     default:
@@ -152,6 +157,31 @@ void read(Arguments& in, Compound<N, double>& compound) {
   compound = compound_of<N, double>(in.shapes<N>());
 }
 
+/// Vertices and faces, and perhaps the kind. The message about a vertex that does not exist is left to the library's
+/// reader of text.
+template <Dim N>
+Mesh<N, double> read_mesh(Arguments& in, bool has_kind) {
+  const std::size_t count = in.count();
+  const std::span<const double> numbers = in.numbers(count * static_cast<std::size_t>(N));
+  std::vector<Vec<N, double>> vertices(count);
+  for (std::size_t i = 0; i < count; ++i) vertices[i] = vector_at<N>(numbers, i);
+  std::vector<std::array<std::uint32_t, 3>> faces(in.count());
+  for (std::array<std::uint32_t, 3>& face : faces) {
+    for (std::uint32_t& vertex : face) {
+      const std::size_t index = in.count();
+      if (index >= count) throw Refused("has a face with a vertex that does not exist");
+      vertex = static_cast<std::uint32_t>(index);
+    }
+  }
+  const bool is_solid = has_kind && in.count() == static_cast<std::size_t>(MeshKind::solid);
+  return mesh_of<N, double>(vertices, faces, is_solid ? MeshKind::solid : MeshKind::surface);
+}
+
+template <Dim N>
+void read(Arguments& in, Mesh<N, double>& mesh) {
+  mesh = read_mesh<N>(in, true);
+}
+
 template <template <Dim, class> class S, Dim N>
 void read(Arguments& in, S<N, double>& shape) {
   detail::for_each_field(shape, [&in](const auto&, auto& value) { read(in, value); });
@@ -184,6 +214,12 @@ AnyShape<N, double> read_turned_obb(Arguments& in) {
   return box;
 }
 
+template <Dim N>
+AnyShape<N, double> read_mesh_without_kind(Arguments& in) {
+  return read_mesh<N>(in, false);
+}
+
+constexpr std::array<Field, 2> mesh_fields = {{{"vertices", "points"}, {"faces", "faces"}}};
 constexpr std::array<Field, 2> center_fields = {{{"center", "vector"}, {"half_extents", "vector"}}};
 constexpr std::array<Field, 3> angle_fields = {{center_fields[0], center_fields[1], {"angle", "number"}}};
 constexpr std::array<Field, 3> rotation_fields = {{center_fields[0], center_fields[1], {"rotation", "rotation"}}};
@@ -211,7 +247,8 @@ constexpr auto own_forms = detail::table_of_shapes<N, double>([]<class S>(std::t
 template <Dim N>
 constexpr std::array other_forms = {
     Form<N>{"aabb", center_fields, &read_aabb_by_center<N>}, Form<N>{"obb", center_fields, &read_upright_obb<N>},
-    Form<N>{"obb", N == 2 ? std::span<const Field>(angle_fields) : rotation_fields, &read_turned_obb<N>}};
+    Form<N>{"obb", N == 2 ? std::span<const Field>(angle_fields) : rotation_fields, &read_turned_obb<N>},
+    Form<N>{"mesh", mesh_fields, &read_mesh_without_kind<N>}};
 
 template <Dim N>
 const Form<N>& form_at(std::size_t place) {
@@ -255,6 +292,13 @@ void put_value(std::span<const Vec<N, double>> points) {
   answer().push_back(static_cast<double>(points.size()));
   for (const Vec<N, double>& point : points) put<N>(point);
 }
+
+void put_value(std::span<const std::array<std::uint32_t, 3>> faces) {
+  answer().push_back(static_cast<double>(faces.size()));
+  for (const std::array<std::uint32_t, 3>& face : faces) answer().insert(answer().end(), face.begin(), face.end());
+}
+
+void put_value(MeshKind kind) { answer().push_back(static_cast<double>(kind)); }
 
 template <Dim N>
 void put_value(const Parts<N, double>& parts) {

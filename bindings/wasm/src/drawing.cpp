@@ -156,6 +156,18 @@ class Brush {
     }
   }
 
+  void operator()(const Mesh<N, double>& mesh) const {
+    std::vector<Outline> outlines;
+    for (std::size_t face = 0; face < mesh.faces().size(); ++face) {
+      if constexpr (N == 2) {
+        outlines.push_back(outline(mesh.triangle(face)));
+      } else {
+        draw_solid(mesh.triangle(face));
+      }
+    }
+    if constexpr (N == 2) add_joined(drawing_, outlines, options_.circle);
+  }
+
   template <class S>
   void operator()(const S& shape) const {
     if constexpr (is_unbounded<S>) {
@@ -180,6 +192,10 @@ class Brush {
             using S = std::decay_t<decltype(held)>;
             if constexpr (std::is_same_v<S, Compound<N, double>>) {
               gather(held, outlines);
+            } else if constexpr (std::is_same_v<S, Mesh<N, double>>) {
+              for (std::size_t face = 0; face < held.faces().size(); ++face) {
+                outlines.push_back(outline(held.triangle(face)));
+              }
             } else if constexpr (is_unbounded<S>) {
               (*this)(held);
             } else {

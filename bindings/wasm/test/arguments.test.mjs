@@ -55,6 +55,12 @@ const forms = {
   triangle: (n) => ({ type: "triangle", a: drawn(n), b: drawn(n), c: drawn(n) }),
   capsule: (n) => ({ type: "capsule", a: drawn(n), b: drawn(n), radius: random() }),
   polytope: (n) => ({ type: "polytope", points: Array.from({ length: 1 + 20 * random() }, () => drawn(n)) }),
+  mesh: (n) => ({ ...forms["mesh of any kind"](n), kind: random() < 0.5 ? "surface" : "solid" }),
+  "mesh of any kind": (n) => ({
+    type: "mesh",
+    vertices: Array.from({ length: 4 }, () => drawn(n)),
+    faces: [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].slice(0, 5 * random()),
+  }),
   compound: (n) => ({
     type: "compound",
     parts: ["sphere", "turned box", "polytope", "ray"].map((name) => forms[name](n)),
@@ -100,7 +106,7 @@ test("a shape is returned with every bit of its numbers", () => {
   for (const numbers of [[-0, 0], [5e-324, -1.7976931348623157e308], [0.1, 1 / 3]]) {
     assert.deepStrictEqual(graze.normalised({ type: "point", position: numbers }).position, numbers);
   }
-  for (const name of Object.keys(forms).filter((form) => !/by center|upright|turned|polytope|compound/.test(form))) {
+  for (const name of Object.keys(forms).filter((form) => !/by center|upright|turned|polytope|compound|of any kind/.test(form))) {
     const shape = forms[name](3);
     assert.deepStrictEqual(graze.normalised(shape), shape);
   }
@@ -221,6 +227,11 @@ const faulty = [
   [{ type: "polytope", points: [[0, 0], [1]] }, '"points"[1] has 1 number; this scene has dimension 2'],
   [{ type: "compound", parts: [point, { type: "sphere", center: [0, 0], radius: -2 }] },
     'part 1: "radius" is -2; it must not be negative'],
+  [{ type: "mesh", vertices: [[0, 0], [1, 0], [0, 1]], faces: [[0, 1, 2], [0, 1, 3]] },
+    'face 1 has vertex 3, but there are 3 vertices, numbered from 0'],
+  [{ type: "mesh", vertices: [[0, 0]], faces: [[0, 0]] }, 'face 0 must be three indices of vertices, not 2'],
+  [{ type: "mesh", vertices: [[0, 0]], faces: [[0, 0, -1]] }, '"faces"[0] is -1; it must be a whole number from 0 to 18446744073709551615'],
+  [{ type: "mesh", vertices: [], faces: [], kind: "shell" }, '"kind" is "shell"; a mesh is a "surface" or a "solid"'],
 ];
 
 test("errors of shapes name the field and the value", () => {

@@ -114,20 +114,19 @@ void Communicator::prepare_swap(std::span<const std::size_t> out_bytes, std::spa
   requests_.assign(messages, MPI_REQUEST_NULL);
 }
 
-void Communicator::swap_bytes(std::span<const std::byte> out, std::span<const std::size_t> out_bytes,
-                              std::span<std::byte> in, std::span<const std::size_t> in_bytes, Traffic& traffic,
-                              std::size_t largest) {
+void Communicator::swap_bytes(const BytesByRank<const std::byte>& out, const BytesByRank<std::byte>& in,
+                              Traffic& traffic, std::size_t largest) {
   MPI_Request* next = requests_.data();
-  visit_messages(in_bytes, largest, rank_, [&](int rank, std::size_t offset, int bytes) {
-    require_success(MPI_Irecv(in.data() + offset, bytes, MPI_BYTE, rank, tag, comm_, next++), "MPI_Irecv");
+  visit_messages(in.counts, largest, rank_, [&](int rank, std::size_t offset, int bytes) {
+    require_success(MPI_Irecv(in.bytes.data() + offset, bytes, MPI_BYTE, rank, tag, comm_, next++), "MPI_Irecv");
   });
-  visit_messages(out_bytes, largest, rank_, [&](int rank, std::size_t offset, int bytes) {
-    require_success(MPI_Isend(out.data() + offset, bytes, MPI_BYTE, rank, tag, comm_, next++), "MPI_Isend");
+  visit_messages(out.counts, largest, rank_, [&](int rank, std::size_t offset, int bytes) {
+    require_success(MPI_Isend(out.bytes.data() + offset, bytes, MPI_BYTE, rank, tag, comm_, next++), "MPI_Isend");
     traffic.messages += 1;
     traffic.bytes += static_cast<std::uint64_t>(bytes);
   });
-  if (const std::size_t own = out_bytes[static_cast<std::size_t>(rank_)]; own > 0) {
-    std::memcpy(in.data() + offset_of(in_bytes, rank_), out.data() + offset_of(out_bytes, rank_), own);
+  if (const std::size_t own = out.counts[static_cast<std::size_t>(rank_)]; own > 0) {
+    std::memcpy(in.bytes.data() + offset_of(in.counts, rank_), out.bytes.data() + offset_of(out.counts, rank_), own);
   }
   require_success(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE),
                   "MPI_Waitall");

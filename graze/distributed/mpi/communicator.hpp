@@ -24,6 +24,13 @@ struct Traffic {
 /// returning another code.
 void require_success(int code, const char* call);
 
+/// Bytes from or for all ranks, one after the other, by rank.
+template <class Byte>
+struct BytesByRank {
+  std::span<Byte> bytes;
+  std::span<const std::size_t> counts;  ///< How many of each rank.
+};
+
 /// A private copy of the user's communicator, so that messages of the two cannot be confused. Creation is collective.
 /// Everything here is collective unless stated otherwise. Operations that allocate do so with `together`.
 class Communicator {
@@ -61,11 +68,11 @@ class Communicator {
   void prepare_swap(std::span<const std::size_t> out_bytes, std::span<const std::size_t> in_bytes,
                     std::size_t largest = largest_message);
 
-  /// Sends out_bytes[r] bytes to each rank r and receives in_bytes[r] from it; both are stored one after the other, by
-  /// rank. A rank sends nothing where the number is 0, and copies what it sends to itself. Longer data is split into
-  /// messages of at most `largest` bytes. Call prepare_swap with the same numbers before.
-  void swap_bytes(std::span<const std::byte> out, std::span<const std::size_t> out_bytes, std::span<std::byte> in,
-                  std::span<const std::size_t> in_bytes, Traffic& traffic, std::size_t largest = largest_message);
+  /// Sends out.counts[r] bytes to each rank r and receives in.counts[r] from it. A rank sends nothing where the number
+  /// is 0, and copies what it sends to itself. Longer data is split into messages of at most `largest` bytes. Call
+  /// prepare_swap with the same numbers before.
+  void swap_bytes(const BytesByRank<const std::byte>& out, const BytesByRank<std::byte>& in, Traffic& traffic,
+                  std::size_t largest = largest_message);
 
  private:
   void release();
@@ -104,8 +111,8 @@ void swap_known(Communicator& comm, const Prepare& prepare, const ByRank<R>& sen
     received.records.resize(total);
     comm.prepare_swap(out, in);
   });
-  comm.swap_bytes(std::as_bytes(std::span<const R>(sent.records)), out,
-                  std::as_writable_bytes(std::span<R>(received.records)), in, traffic);
+  comm.swap_bytes({std::as_bytes(std::span<const R>(sent.records)), out},
+                  {std::as_writable_bytes(std::span<R>(received.records)), in}, traffic);
 }
 
 /// Swaps records: counts[r] of them to each rank r, stored by rank.

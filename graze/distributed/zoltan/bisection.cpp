@@ -39,7 +39,10 @@ int count_points(void* data, int* code) {
   return static_cast<int>(points_of<N>(data).size());
 }
 
+// The parameters of the next two are as Zoltan calls them.
+
 template <Dim N>
+// NOLINTNEXTLINE(readability-function-size)
 void list_points(void* data, int, int, ZOLTAN_ID_PTR global, ZOLTAN_ID_PTR local, int weights, float* weight,
                  int* code) {
   const std::span<const WeightedPoint<N>> points = points_of<N>(data);
@@ -58,6 +61,7 @@ int dimension(void*, int* code) {
 }
 
 template <Dim N>
+// NOLINTNEXTLINE(readability-function-size,readability-non-const-parameter)
 void list_coordinates(void* data, int, int, int count, ZOLTAN_ID_PTR, ZOLTAN_ID_PTR local, int, double* coordinates,
                       int* code) {
   const std::span<const WeightedPoint<N>> points = points_of<N>(data);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -17,6 +19,7 @@
 #include <graze/math/tolerance.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/shape/fields/description.hpp>
+#include <graze/shape/mesh.hpp>
 
 namespace graze::io {
 namespace {
@@ -151,6 +154,53 @@ Polytope<N, double> read_shape(const JsonFields& fields, std::type_identity<Poly
   }
   if (points.empty()) throw fields.error("points", "is empty; a polytope needs at least one point");
   return convex_hull_in_order<N, double>(points);
+}
+
+/// The three vertices of a face.
+std::array<std::uint32_t, 3> read_face(JsonValue value, const JsonFieldName& name, const JsonPlace& place,
+                                       std::size_t vertices) {
+  const JsonValue corners = read_array(value, name, place);
+  if (corners.size() != 3) {
+    throw place.error(value.offset(),
+                      fmt::format("face {} must be three indices of vertices, not {}", *name.element, corners.size()));
+  }
+  std::array<std::uint32_t, 3> face{};
+  std::size_t i = 0;
+  for (const JsonValue corner : corners.items()) {
+    const std::uint64_t vertex = read_whole(corner, name, place);
+    if (vertex >= vertices) {
+      throw place.error(corner.offset(),
+                        fmt::format("face {} has vertex {}, but there are {} vertices, numbered from 0", *name.element,
+                                    vertex, vertices));
+    }
+    face[i++] = static_cast<std::uint32_t>(vertex);
+  }
+  return face;
+}
+
+/// A surface if the field is missing.
+MeshKind read_mesh_kind(const JsonFields& fields) {
+  const std::optional<JsonValue> value = fields.find("kind");
+  if (!value) return MeshKind::surface;
+  const std::string_view kind = read_text(*value, {"kind"}, fields.place());
+  const auto* const found = std::find(mesh_kind_names.begin(), mesh_kind_names.end(), kind);
+  if (found == mesh_kind_names.end()) {
+    throw fields.error("kind", fmt::format("is {}; a mesh is a \"surface\" or a \"solid\"", in_quotes(kind)));
+  }
+  return static_cast<MeshKind>(found - mesh_kind_names.begin());
+}
+
+template <Dim N>
+Mesh<N, double> read_shape(const JsonFields& fields, std::type_identity<Mesh<N, double>>) {
+  std::vector<Vec<N, double>> vertices;
+  for (const JsonValue vertex : fields.array("vertices").items()) {
+    vertices.push_back(read_vector<N>(vertex, {"vertices", vertices.size()}, fields.place()));
+  }
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  for (const JsonValue face : fields.array("faces").items()) {
+    faces.push_back(read_face(face, {"faces", faces.size()}, fields.place(), vertices.size()));
+  }
+  return mesh_of<N, double>(vertices, faces, read_mesh_kind(fields));
 }
 
 std::size_t part_depth(const JsonPlace& place) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <span>
 #include <string>
@@ -13,6 +15,7 @@
 #include <graze/io/output_error.hpp>
 #include <graze/shape/fields/description.hpp>
 #include <graze/shape/fields/visit.hpp>
+#include <graze/shape/mesh.hpp>
 
 namespace graze::io {
 namespace {
@@ -66,6 +69,16 @@ void append_list(std::string& out, const List& list, const AppendOne& append_one
 template <Dim N>
 void append(std::string& out, std::span<const Vec<N, double>> points) {
   append_list(out, points, [&out](const Vec<N, double>& point) { append(out, point); });
+}
+
+void append(std::string& out, std::span<const std::array<std::uint32_t, 3>> faces) {
+  append_list(out, faces, [&out](const std::array<std::uint32_t, 3>& face) {
+    fmt::format_to(std::back_inserter(out), "[{}, {}, {}]", face[0], face[1], face[2]);
+  });
+}
+
+void append(std::string& out, MeshKind kind) {
+  fmt::format_to(std::back_inserter(out), "\"{}\"", mesh_kind_names[static_cast<std::size_t>(kind)]);
 }
 
 template <Dim N>

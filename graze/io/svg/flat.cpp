@@ -40,9 +40,12 @@ template <class S>
 inline constexpr bool is_polygon = std::is_same_v<S, Aabb<2, double>> || std::is_same_v<S, Obb<2, double>> ||
                                    std::is_same_v<S, Triangle<2, double>> || std::is_same_v<S, Polytope<2, double>>;
 
-/// Draws a shape. The polygons of a compound are drawn as their union, so that a concave polygon shows no cuts.
+/// Draws a shape. The polygons of a compound or a mesh are drawn as their union, so that a concave polygon shows no
+/// cuts.
 void draw(const AnyShape<2, double>& shape, const FlatBrush& brush) {
-  if (!std::holds_alternative<Compound<2, double>>(shape)) return for_each_part<2>(shape, brush);
+  const bool has_parts =
+      std::holds_alternative<Compound<2, double>>(shape) || std::holds_alternative<Mesh<2, double>>(shape);
+  if (!has_parts) return for_each_part<2>(shape, brush);
   std::vector<std::vector<Vec<2, double>>> polygons;
   for_each_part<2>(shape, [&]<class S>(const S& part) {
     if constexpr (is_polygon<S>) {

@@ -126,13 +126,6 @@ struct SolidBrush {
   }
 };
 
-/// A shape other than a compound, or the parts of a compound at all nesting levels.
-void collect_parts(const AnyShape<3, double>& shape, std::vector<const AnyShape<3, double>*>& parts) {
-  const auto* compound = std::get_if<Compound<3, double>>(&shape);
-  if (compound == nullptr) return parts.push_back(&shape);
-  for (const Part<3, double>& part : compound->parts) collect_parts(part.shape, parts);
-}
-
 /// What determines the painting order of a shape: for a ray its drawn part, for a compound with planes the first plane.
 Layered layered(const AnyShape<3, double>& shape, const Stage<3>& stage) {
   Layered thing{Aabb<3, double>::nothing(), std::nullopt};
@@ -155,28 +148,30 @@ Layered layered(const AnyShape<3, double>& shape, const Stage<3>& stage) {
   return thing;
 }
 
-std::vector<std::size_t> order_of(std::span<const AnyShape<3, double>* const> shapes, const Stage<3>& stage) {
+/// Draws the parts of a shape from back to front.
+void draw(const AnyShape<3, double>& shape, const Stage<3>& stage, const SolidBrush& brush) {
+  std::vector<AnyShape<3, double>> parts;
   std::vector<Layered> things;
-  things.reserve(shapes.size());
-  for (const AnyShape<3, double>* shape : shapes) things.push_back(layered(*shape, stage));
-  return back_to_front(things, stage.view);
+  for_each_part<3>(shape, [&](const auto& part) {
+    parts.emplace_back(part);
+    things.push_back(layered(parts.back(), stage));
+  });
+  for (const std::size_t part : back_to_front(things, stage.view)) for_each_part<3>(parts[part], brush);
 }
 
 }  // namespace
 
 std::string paint_solid(const Subject<3>& subject, const Stage<3>& stage, const Detail& detail) {
-  std::vector<const AnyShape<3, double>*> shapes;
-  shapes.reserve(stage.drawn.size());
-  for (const std::size_t position : stage.drawn) shapes.push_back(&subject.objects[position]->shape);
+  std::vector<Layered> things;
+  things.reserve(stage.drawn.size());
+  for (const std::size_t position : stage.drawn) things.push_back(layered(subject.objects[position]->shape, stage));
   Pen pen(stage.frame, detail.mark_size);
   std::string svg;
-  for (const std::size_t next : order_of(shapes, stage)) {
+  for (const std::size_t next : back_to_front(things, stage.view)) {
     const std::size_t position = stage.drawn[next];
     const bool patterned = detail.patterns && subject.touches[position].closest != Relation::apart;
     const SolidBrush brush{stage, detail, patterned, pen};
-    std::vector<const AnyShape<3, double>*> parts;
-    collect_parts(*shapes[next], parts);
-    for (const std::size_t part : order_of(parts, stage)) for_each_part<3>(*parts[part], brush);
+    draw(subject.objects[position]->shape, stage, brush);
     svg += object_element(subject, position, detail, pen);
   }
   return svg;

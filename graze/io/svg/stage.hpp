@@ -32,13 +32,16 @@ struct Stage {
 template <Dim N>
 Stage<N> stage_for(const Subject<N>& subject, YAxis y_axis);
 
-/// Calls `visit` with a shape in its own type; for a compound with each of its parts, at all nesting levels.
+/// Calls `visit` with a shape in its own type; for a compound with each of its parts, at all nesting levels, for a mesh
+/// with each of its faces.
 template <Dim N, class Visit>
 void for_each_part(const AnyShape<N, double>& shape, const Visit& visit) {
   detail::visit(
       [&visit]<class S>(const S& held) {
         if constexpr (std::is_same_v<S, Compound<N, double>>) {
           for (const Part<N, double>& part : held.parts) for_each_part<N>(part.shape, visit);
+        } else if constexpr (std::is_same_v<S, Mesh<N, double>>) {
+          for (std::size_t face = 0; face < held.faces().size(); ++face) visit(held.triangle(face));
         } else {
           visit(held);
         }

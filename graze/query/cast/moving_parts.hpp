@@ -87,13 +87,13 @@ bool comes_before(const CastHit<N>& a, std::size_t index_a, const CastHit<N>& b,
 /// The first part to touch the shape, of several the first in order. `cast(part)` casts one. After a part has touched,
 /// only the motion before that matters for the others. `motion` is that of the parts relative to the shape; a part
 /// touches when it is as near as `distance`. Of parts that touch at one t the deepest counts.
-template <Dim N, class T, class S, class Cast>
-std::optional<CastHit<N>> cast_hit_of_parts(const Compound<N, T>& compound, const Vec<N, double>& motion,
-                                            const S& shape, double distance, const Cast& cast) {
+template <Dim N, class T, template <Dim, class> class Whole, class S, class Cast>
+std::optional<CastHit<N>> cast_hit_of_parts(const Whole<N, T>& whole, const Vec<N, double>& motion, const S& shape,
+                                            double distance, const Cast& cast) {
   std::optional<CastHit<N>> best;
   std::size_t best_index = 0;
   MayReach<N, T> may_reach(motion, touching_bounds(shape), distance);
-  visit_parts(compound, may_reach, ByKey(), [&](const Part<N, T>& part, std::size_t index) {
+  visit_parts(whole, may_reach, ByKey(), [&](const auto& part, std::size_t index) {
     const std::optional<CastHit<N>> found = cast(part.shape);
     if (!found || (best && !comes_before(*found, index, *best, best_index))) return true;
     best = found;

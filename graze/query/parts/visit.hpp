@@ -1,20 +1,70 @@
 // SPDX-License-Identifier: MIT
-// visit_parts(compound, may_matter, order, visit): the parts that may decide a query, by the compound's tree if it has
-// one. Both ways give the same answers, bit for bit, if the query keeps two rules: a box is refused only if no part in
-// it can change the answer, and of two parts that are equally good, the first in the compound wins, not the first
-// visited.
+// visit_parts(whole, may_matter, order, visit): the parts of a compound, or the faces of a mesh, that may decide a
+// query, by the tree if there is one. With and without it the answers are the same, bit for bit, if the query keeps two
+// rules: a box is refused only if no part in it can change the answer, and of two parts that are equally good, the one
+// with the lesser index wins, not the first visited.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/mesh.hpp>
+#include <graze/shape/parts/part_tree.hpp>
+#include <graze/shape/triangle.hpp>
 
 namespace graze::detail {
 
-/// Which of the parts visited so far decides: the one with the least value, of several the first in the compound.
+template <class S>
+inline constexpr bool is_compound = false;
+template <Dim N, class T>
+inline constexpr bool is_compound<Compound<N, T>> = true;
+
+template <class S>
+inline constexpr bool is_mesh = false;
+template <Dim N, class T>
+inline constexpr bool is_mesh<Mesh<N, T>> = true;
+
+/// A shape that queries decide part by part.
+template <class S>
+concept HasParts = is_compound<S> || is_mesh<S>;
+
+/// A face of a mesh as a part of it.
+template <Dim N, class T>
+struct FacePart {
+  Triangle<N, T> shape;
+};
+
+template <Dim N, class T>
+const AnyShape<N, T>& part_of(const Compound<N, T>& compound, std::size_t index) {
+  return compound.parts[index].shape;
+}
+template <Dim N, class T>
+Triangle<N, T> part_of(const Mesh<N, T>& mesh, std::size_t index) {
+  return mesh.triangle(index);
+}
+
+template <Dim N, class T>
+std::size_t count_of_parts(const Compound<N, T>& compound) {
+  return compound.parts.size();
+}
+template <Dim N, class T>
+std::size_t count_of_parts(const Mesh<N, T>& mesh) {
+  return mesh.faces().size();
+}
+
+/// For `visit_parts`: all of them.
+struct AnyPart {
+  template <class BoxOrPart>
+  bool operator()(const BoxOrPart&) const {
+    return true;
+  }
+};
+
+/// Which of the parts visited so far decides: the one with the least value, of several the first of the whole.
 class FirstPart {
  public:
   /// Whether a part decides, which is then remembered.
@@ -45,8 +95,18 @@ struct MayTouch {
   Aabb<N, T> box;
 };
 
-/// A `may_matter` may have another form for the boxes inside one, may_matter.inside(box), that takes less time. Out of
-/// line, so that small compounds are as fast as without trees.
+/// Calls use(may_matter), or use with the form that it has for boxes inside one, may_matter.inside(box), which takes
+/// less time.
+template <class MayMatter, class Box, class Use>
+void with_form_inside(const MayMatter& may_matter, const Box& box, const Use& use) {
+  if constexpr (requires { may_matter.inside(box); }) {
+    use(may_matter.inside(box));
+  } else {
+    use(may_matter);
+  }
+}
+
+/// Out of line, so that small compounds are as fast as without trees.
 template <Dim N, class T, class MayMatter, class Order, class Visit>
 [[gnu::noinline]] void visit_parts_by_tree(const PartTree<N, T>& tree, const Compound<N, T>& compound,
                                            const MayMatter& may_matter, const Order& order, const Visit& visit) {
@@ -55,11 +115,7 @@ template <Dim N, class T, class MayMatter, class Order, class Visit>
     if (may_matter(part) && !visit(part, std::size_t{index})) return;
   }
   const auto visit_at = [&](std::uint32_t index) { return visit(compound.parts[index], std::size_t{index}); };
-  if constexpr (requires { may_matter.inside(tree.around()); }) {
-    tree.visit(may_matter.inside(tree.around()), order, visit_at);
-  } else {
-    tree.visit(may_matter, order, visit_at);
-  }
+  with_form_inside(may_matter, tree.around(), [&](const auto& form) { tree.visit(form, order, visit_at); });
 }
 
 /// Calls visit(part, index) until it returns false, for the parts that may matter: without a tree, those of which
@@ -77,11 +133,44 @@ template <Dim N, class T, class MayMatter, class Order, class Visit>
   }
 }
 
+/// For the tree of a mesh that was moved: whether a box may matter at its place.
+template <Dim N, class T, class MayMatter>
+struct AtPlace {
+  bool operator()(const Aabb<N, T>& box) const { return may_matter(faces.at_place(box)); }
+  double key(const Aabb<N, T>& box) const { return may_matter.key(faces.at_place(box)); }
+  bool admits(double key) const { return may_matter.admits(key); }
+
+  const PlacedMesh<N, T>& faces;
+  const MayMatter& may_matter;
+};
+
+/// The same for the faces of a mesh, which always has a tree.
+template <Dim N, class T, class MayMatter, class Order, class Visit>
+void visit_parts(const Mesh<N, T>& mesh, const MayMatter& may_matter, const Order& order, const Visit& visit) {
+  const PlacedMesh<N, T>& faces = placed(mesh);
+  const auto visit_face = [&](std::uint32_t face) {
+    return visit(FacePart<N, T>{faces.triangle(face)}, std::size_t{face});
+  };
+  const PartTree<N, T>& tree = faces.data()->tree();
+  for (const std::uint32_t face : tree.unbounded()) {
+    if (!visit_face(face)) return;
+  }
+  with_form_inside(may_matter, faces.at_place(tree.around()), [&](const auto& form) {
+    if (!faces.is_moved()) return tree.visit(form, order, visit_face);
+    const AtPlace<N, T, std::decay_t<decltype(form)>> form_there{faces, form};
+    if constexpr (std::is_same_v<Order, InAnyOrder> || std::is_same_v<Order, ByKey>) {
+      tree.visit(form_there, order, visit_face);
+    } else {
+      tree.visit(
+          form_there, [&](const Aabb<N, T>& box) { return order(faces.at_place(box)); }, visit_face);
+    }
+  });
+}
+
 /// The same, in any order.
-template <Dim N, class T, class MayMatter, class Visit>
-[[gnu::always_inline]] inline void visit_parts(const Compound<N, T>& compound, const MayMatter& may_matter,
-                                               const Visit& visit) {
-  visit_parts(compound, may_matter, InAnyOrder(), visit);
+template <HasParts Whole, class MayMatter, class Visit>
+[[gnu::always_inline]] inline void visit_parts(const Whole& whole, const MayMatter& may_matter, const Visit& visit) {
+  visit_parts(whole, may_matter, InAnyOrder(), visit);
 }
 
 }  // namespace graze::detail

@@ -16,7 +16,7 @@
 #include <graze/query/parts/visit.hpp>
 #include <graze/query/ray/advance.hpp>
 #include <graze/query/ray/parts.hpp>
-#include <graze/query/ray/portal.hpp>
+#include <graze/query/ray/simple_shape.hpp>
 #include <graze/query/ray/verdict.hpp>
 #include <graze/query/ray/verdict_2d.hpp>
 #include <graze/query/ray/verdict_box.hpp>
@@ -29,188 +29,6 @@
 #include <graze/shape/shape.hpp>
 
 namespace graze::detail {
-
-/// A shape with a closed form in double, relative to the ray's origin.
-template <class S>
-concept HasRayVerdict = requires(const S& shape, const Path<dimension_of<S>>& path) {
-  ray_verdict_of(relative_to(path.origin, shape), path);
-};
-
-/// A shape with a fast test that rejects most paths that miss it.
-template <class S>
-concept HasQuickMiss = requires(const S& shape, const Path<dimension_of<S>>& path) {
-  is_missed(relative_to(path.origin, shape), path);
-};
-
-template <class S>
-concept HasBoundaryVerdict = is_a<Plane, S> || is_a<HalfSpace, S>;
-
-// ---- The path as an argument of `relation`
-
-template <Dim N, class T>
-struct AskAboutSegment {
-  template <class S>
-  Relation operator()(const S& shape) const {
-    return decide(shape, segment);
-  }
-
-  const Segment<N, T>& segment;
-};
-
-/// The whole ray.
-template <Dim N, class T>
-struct AskAboutRay {
-  template <class S>
-  Relation operator()(const S& shape) const {
-    return decide(shape, ray);
-  }
-
-  const Ray<N, T>& ray;
-};
-
-// ---- One simple shape
-
-/// The result of the shape's closed form, with points in the original coordinates.
-template <class S>
-[[gnu::always_inline]] inline RayFinding<dimension_of<S>> verdict(const S& shape, const Path<dimension_of<S>>& path) {
-  constexpr Dim N = dimension_of<S>;
-  if constexpr (HasRayVerdict<S>) {
-    RayFinding<N> result = ray_verdict_of(relative_to(path.origin, shape), path);
-    result.hit.point += path.origin;
-    return result;
-  } else if constexpr (HasBoundaryVerdict<S>) {
-    return ray_verdict_of_boundary(shape, path);
-  } else if constexpr (N == 2 && is_a<Polytope, S>) {
-    RayFinding<N> result = ray_verdict_of_polygon<scalar_of<S>>(shape.vertices(), sum_abs(path.origin), path);
-    result.hit.point += path.origin;
-    return result;
-  } else if constexpr (is_a<Polytope, S>) {
-    return ray_verdict_of_polytope(shape, path);
-  } else {
-    return advance_to(shape, path);
-  }
-}
-
-/// Where an unclear path touches, if `relation` decides that it does. `relation` also reports a touch for shapes that
-/// are apart by less than the rounding of its longest calculations, which is a few times that of the closed forms here.
-template <class S, class Ask>
-RayFinding<dimension_of<S>> settled(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask,
-                                    const RayFinding<dimension_of<S>>& unclear) {
-  constexpr Dim N = dimension_of<S>;
-  if (ask(shape) == Relation::apart) return missed<N>();
-  RayFinding<N> result{RayVerdict::hits, unclear.hit};
-  if (unclear.is_hit_known) {
-    constexpr double slack_of_touching = tolerance::coarse / tolerance::rounding;
-    if constexpr (!HasBoundaryVerdict<S>) result.hit.error *= slack_of_touching;
-    return result;
-  }
-  if constexpr (Convex<S> && HasRayVerdict<S>) {
-    const Path<N> from_zero{Vec<N, double>(0.0), path.direction, path.t_max, path.far};
-    result.hit = hit_by_advance(relative_to(path.origin, shape), from_zero);
-    result.hit.point += path.origin;
-  } else if constexpr (Convex<S>) {
-    result.hit = hit_by_advance(shape, path);
-  }
-  return result;
-}
-
-/// A hit, if `relation` confirms it where necessary.
-template <class S, class Ask>
-RayFinding<dimension_of<S>> confirmed(const S& shape, const Ask& ask, const RayFinding<dimension_of<S>>& hit) {
-  return hit.is_certain || ask(shape) != Relation::apart ? hit : missed<dimension_of<S>>();
-}
-
-/// A touch, or that the path misses.
-template <class S, class Ask>
-RayFinding<dimension_of<S>> entry(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
-  const RayFinding<dimension_of<S>> result = verdict(shape, path);
-  if (result.verdict == RayVerdict::unclear) return settled(shape, path, ask, result);
-  return result.verdict == RayVerdict::hits ? confirmed(shape, ask, result) : result;
-}
-
-/// A power of two that t cannot reach before the path has left the shape; exact, so that the reversed path is exact,
-/// too.
-template <class S>
-double beyond(const S& shape, const Path<dimension_of<S>>& path) {
-  constexpr Dim N = dimension_of<S>;
-  const Vec<N, double> reach = reach_past(shape, path);
-  int exponent = 0;
-  (void)std::frexp(max_abs(reach) / max_abs(path.direction), &exponent);
-  return std::ldexp(1.0, exponent + 1);
-}
-
-/// The entry of the reversed path, from a point where the path has left the shape.
-template <class S, class Ask>
-RayFinding<dimension_of<S>> last_touch(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
-  constexpr Dim N = dimension_of<S>;
-  if constexpr (HasRayVerdict<S>) {
-    const auto seen = relative_to(path.origin, shape);
-    const double last = beyond(seen, {Vec<N, double>(0.0), path.direction, path.t_max});
-    const Path<N> back{path.direction * last, -path.direction, last, path.far};
-    RayFinding<N> result = entry(seen, back, [&](const auto&) { return ask(shape); });
-    result.hit.t = last - result.hit.t;
-    result.hit.point += path.origin;
-    return result;
-  } else {
-    const double last = beyond(shape, path);
-    const Path<N> back{path.origin + path.direction * last, -path.direction, last, path.far};
-    RayFinding<N> result = entry(shape, back, ask);
-    result.hit.t = last - result.hit.t;
-    return result;
-  }
-}
-
-/// Where the path leaves a shape that it has entered, which may be after its end.
-template <class S, class Ask>
-RayFinding<dimension_of<S>> exit(const S& shape, const Path<dimension_of<S>>& path, const Ask& ask) {
-  const RayFinding<dimension_of<S>> last = last_touch(shape, path, ask);
-  if (last.verdict == RayVerdict::misses || last.hit.t <= path.t_max) return last;
-  return entry(shape, path, ask).verdict == RayVerdict::misses ? missed<dimension_of<S>>() : last;
-}
-
-/// Never left: the path then leaves at infinity.
-template <Dim N>
-RayFinding<N> never() {
-  return {RayVerdict::hits, {std::numeric_limits<double>::infinity()}};
-}
-
-/// A path meets a plane once, and leaves it there, unless it runs along it.
-template <Dim N, class T, class Ask>
-RayFinding<N> exit(const Plane<N, T>& plane, const Path<N>& path, const Ask& ask) {
-  RayFinding<N> result = entry(plane, path, ask);
-  if (result.verdict == RayVerdict::hits && is_along(plane, path)) return never<N>();
-  result.hit.normal = -result.hit.normal;
-  return result;
-}
-
-/// A path leaves a half-space if it climbs, otherwise never.
-template <Dim N, class T, class Ask>
-RayFinding<N> exit(const HalfSpace<N, T>& solid, const Path<N>& path, const Ask& ask) {
-  if (ask(solid) == Relation::apart) return missed<N>();
-  const Vec<N, double> normal = wide<N, T>(solid.normal);
-  if (!(dot(normal, path.direction) > 0) || is_along(boundary(solid), path)) return never<N>();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  RayFinding<N> result{RayVerdict::hits, hit_of_plane(boundary(solid), Path<N>{path.origin, path.direction, infinity})};
-  result.hit.normal = normal;
-  return result;
-}
-
-/// A ray on the same line is left at its origin, or never if it has the same direction; any other ray where it is met.
-template <Dim N, class T, class Ask>
-RayFinding<N> exit(const Ray<N, T>& target, const Path<N>& path, const Ask& ask) {
-  RayFinding<N> result = entry(target, path, ask);
-  if (result.verdict == RayVerdict::misses) return result;
-  result.hit.normal = -result.hit.normal;
-  const Vec<3, double> d = direction_of(Ray<N, double>{path.origin, path.direction});
-  const Vec<3, double> e = direction_of(target);
-  const double lengths = std::sqrt(length_squared(d) * length_squared(e));
-  if (std::sqrt(length_squared(accurate_cross(d, e))) > tolerance::rounding * lengths) return result;
-  if (dot(d, e) > 0) return never<N>();
-  const Vec<N, double> end = wide<N, T>(target.origin);
-  const RayFinding<N> at_end = ray_verdict_of(end - path.origin, path);
-  result.hit = {at_end.hit.t, end, Vec<N, double>(0.0), result.hit.error};
-  return result;
-}
 
 // ---- Any shape
 
@@ -232,12 +50,12 @@ RayFinding<N> find_hit(const AnyShape<N, T>& shape, const Path<N>& path, RaySide
 
 /// The nearest entry, or the farthest exit; of several equal ones the first part's. After a hit only parts whose box is
 /// entered before it matter, but each is evaluated as if it were alone.
-template <Dim N, class T, class Ask>
-RayFinding<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RaySide side, const Ask& ask) {
+template <HasParts Whole, Dim N, class Ask>
+RayFinding<N> find_hit_of_parts(const Whole& whole, const Path<N>& path, RaySide side, const Ask& ask) {
   RayFinding<N> best = missed<N>();
   FirstPart first;
   RestOfPath<N> rest(path);
-  visit_parts(compound, rest, ByKey(), [&](const Part<N, T>& part, std::size_t index) {
+  visit_parts(whole, rest, ByKey(), [&](const auto& part, std::size_t index) {
     const RayFinding<N> found = find_hit(part.shape, path, side, ask);
     const double t = side == RaySide::entry ? found.hit.t : -found.hit.t;
     if (found.verdict == RayVerdict::misses || !first.is_replaced_by(t, index)) return true;
@@ -246,6 +64,19 @@ RayFinding<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RayS
     return true;
   });
   return best;
+}
+
+template <Dim N, class T, class Ask>
+RayFinding<N> find_hit(const Compound<N, T>& compound, const Path<N>& path, RaySide side, const Ask& ask) {
+  return find_hit_of_parts(compound, path, side, ask);
+}
+
+template <Dim N, class T, class Ask>
+RayFinding<N> find_hit(const Mesh<N, T>& mesh, const Path<N>& path, RaySide side, const Ask& ask) {
+  if (side == RaySide::entry && is_inside(mesh, Vec<N, T>(path.origin))) {
+    return {RayVerdict::hits, {0, path.origin}};
+  }
+  return find_hit_of_parts(mesh, path, side, ask);
 }
 
 template <Dim N, class T, class Ask>
@@ -291,7 +122,7 @@ template <class S, class Ask>
   using T = scalar_of<S>;
   using Hit = std::optional<RayHit<N, T>>;
   constexpr bool has_closed_form = HasRayVerdict<S> || HasBoundaryVerdict<S>;
-  if constexpr (!is_compound<S> && !is_any_shape<S>) {
+  if constexpr (!HasParts<S> && !is_any_shape<S>) {
     if (side == RaySide::entry && (has_closed_form || path.t_max < end)) {
       if constexpr (HasQuickMiss<S>) {
         if (is_missed(relative_to(path.origin, shape), path)) return Hit();

@@ -25,7 +25,16 @@ enum class FieldKind {
   corners,       ///< An array of points.
   hull,          ///< The corners of a convex hull, of any number. Read-only: `convex_hull` creates it.
   parts,         ///< A vector of `Part`s.
+  vertices,      ///< Points, of any number. Read-only, as the next two: `mesh_of` makes all three.
+  faces,         ///< Three indices of vertices each.
+  mesh_kind,     ///< A `MeshKind`.
 };
+
+/// Whether a field is the result of a function, so that the shape is not made from it in place.
+constexpr bool is_read_only(FieldKind kind) {
+  return kind == FieldKind::hull || kind == FieldKind::vertices || kind == FieldKind::faces ||
+         kind == FieldKind::mesh_kind;
+}
 
 /// A short text that is concatenated at compile time.
 class ShortText {
@@ -59,7 +68,7 @@ class Field {
   constexpr Field(std::string_view field_name, Member member, std::string_view noun)
       : name(field_name), not_finite(flaw_of(noun)), refused(refusal_of(noun)), member_(member) {}
 
-  /// The field's value in a shape, by reference except for a hull.
+  /// The field's value in a shape, by reference if it is a member, not a function.
   template <class S>
   constexpr decltype(auto) in(S& shape) const {
     if constexpr (std::is_same_v<Member, Itself>) {
@@ -122,6 +131,9 @@ inline constexpr FieldOf<FieldKind::axes> axes;
 inline constexpr FieldOf<FieldKind::corners> corners;
 inline constexpr FieldOf<FieldKind::hull> hull;
 inline constexpr FieldOf<FieldKind::parts> parts;
+inline constexpr FieldOf<FieldKind::vertices> vertices;
+inline constexpr FieldOf<FieldKind::faces> faces;
+inline constexpr FieldOf<FieldKind::mesh_kind> mesh_kind;
 }  // namespace field
 
 // ---- A minimal tuple: std::tuple would take longer to compile than everything built on this list.
@@ -177,7 +189,8 @@ constexpr void for_each_number(Value& value, const Visit& visit) {
   }
 }
 
-/// Calls visit(field, value) for each field of a shape, in order. Values are mutable if the shape is, except hulls.
+/// Calls visit(field, value) for each field of a shape, in order. Values are mutable if the shape is, except those of
+/// functions.
 template <class S, class Visit>
 constexpr void for_each_field(S& shape, const Visit& visit) {
   const auto visit_field = [&visit](const auto& field, auto&& value) { visit(field, value); };

@@ -3,6 +3,7 @@
 // returns the same bits for both orders of its arguments.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -64,6 +65,23 @@ int compare_lists(const List& a, const List& b) {
 template <Dim N, Scalar T>
 int compare(std::span<const Vec<N, T>> a, std::span<const Vec<N, T>> b) {
   return compare_lists(a, b);
+}
+
+/// By their boxes, which nearly always decide, then by all that they contain.
+template <Dim N, class T>
+int compare(const Mesh<N, T>& a, const Mesh<N, T>& b) {
+  const PlacedMesh<N, T>& of_a = placed(a);
+  const PlacedMesh<N, T>& of_b = placed(b);
+  if (&of_a == &of_b) return 0;
+  if (const int low = compare<N, T>(of_a.box().min, of_b.box().min); low != 0) return low;
+  if (const int high = compare<N, T>(of_a.box().max, of_b.box().max); high != 0) return high;
+  if (a.kind() != b.kind()) return a.kind() < b.kind() ? -1 : 1;
+  if (const int vertices = compare<N, T>(a.vertices(), b.vertices()); vertices != 0) return vertices;
+  const auto faces_a = a.faces();
+  const auto faces_b = b.faces();
+  if (std::equal(faces_a.begin(), faces_a.end(), faces_b.begin(), faces_b.end())) return 0;
+  const bool is_less = std::lexicographical_compare(faces_a.begin(), faces_a.end(), faces_b.begin(), faces_b.end());
+  return is_less ? -1 : 1;
 }
 
 template <Dim N, class T>

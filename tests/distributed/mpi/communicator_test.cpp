@@ -72,7 +72,7 @@ TEST(Communicator, SplitsWhatIsLongerThanTheLargestMessage) {
   std::vector<std::byte> in(out.size());
   Traffic traffic;
   comm.prepare_swap(bytes, bytes, 7);
-  comm.swap_bytes(out, bytes, in, bytes, traffic, 7);
+  comm.swap_bytes({out, bytes}, {in, bytes}, traffic, 7);
   const auto own = static_cast<std::size_t>(comm.rank());
   for (std::size_t from = 0; from < ranks; ++from) {
     for (std::size_t k = 0; k < 1000; ++k) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
@@ -123,12 +125,23 @@ TEST(JsonShapeReader, CompoundsNestUpToALimit) {
   EXPECT_NE(message.find("part 0: compounds are nested deeper than 32"), std::string::npos) << message;
 }
 
+TEST(JsonShapeReader, MeshesHaveVerticesFacesAndPerhapsAKind) {
+  const std::vector<Vec<3, double>> vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<std::array<std::uint32_t, 3>> faces = {{0, 1, 2}, {3, 2, 2}};
+  const std::string text =
+      R"({"type": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "faces": [[0, 1, 2], [3, 2, 2]])";
+  expect_same<3>(text + "}", mesh_of<3, double>(vertices, faces));
+  expect_same<3>(text + R"(, "kind": "surface"})", mesh_of<3, double>(vertices, faces));
+  expect_same<3>(text + R"(, "kind": "solid"})", mesh_of<3, double>(vertices, faces, MeshKind::solid));
+  expect_same<2>(R"({"type": "mesh", "vertices": [], "faces": []})", Mesh<2, double>());
+}
+
 TEST(JsonShapeReader, UnknownTypesAreNamedWithTheNearestKnown) {
   EXPECT_EQ(refusal<2>(R"({"type": "circle"})"), R"(: unknown type "circle"; did you mean "sphere"?)");
   EXPECT_EQ(refusal<2>(R"({"type": "box"})"), R"(: unknown type "box"; did you mean "aabb"?)");
   EXPECT_EQ(refusal<2>(R"({"type": "spere"})"), R"(: unknown type "spere"; did you mean "sphere"?)");
   EXPECT_EQ(refusal<2>(R"({"type": "Half-Space"})"), R"(: unknown type "Half-Space"; did you mean "half_space"?)");
-  EXPECT_EQ(refusal<2>(R"({"type": "mesh"})").find(R"(: unknown type "mesh"; known: "point", "segment", )"), 0U);
+  EXPECT_EQ(refusal<2>(R"({"type": "torus"})").find(R"(: unknown type "torus"; known: "point", "segment", )"), 0U);
   EXPECT_EQ(refusal<2>(R"({"type": 7})"), R"(: "type" must be a string, not a number)");
   EXPECT_EQ(refusal<2>(R"({"radius": 7})"), R"(: a shape needs the field "type")");
   EXPECT_EQ(refusal<2>("7"), ": must be an object, not a number");
@@ -137,6 +150,12 @@ TEST(JsonShapeReader, UnknownTypesAreNamedWithTheNearestKnown) {
 TEST(JsonShapeReader, WrongValuesAreNamed) {
   const std::vector<std::pair<std::string, std::string>> table = {
       {R"({"type": "sphere", "center": [0, 0], "radius": -1})", R"(: "radius" is -1; it must not be negative)"},
+      {R"({"type": "mesh", "vertices": [[0, 0]], "faces": [[0, 0, 1]]})",
+       ": face 0 has vertex 1, but there are 1 vertices, numbered from 0"},
+      {R"({"type": "mesh", "vertices": [[0, 0]], "faces": [[0, 0]]})",
+       ": face 0 must be three indices of vertices, not 2"},
+      {R"({"type": "mesh", "vertices": [[0, 0]], "faces": [], "kind": "shell"})",
+       R"(: "kind" is "shell"; a mesh is a "surface" or a "solid")"},
       {R"({"type": "capsule", "a": [0, 0], "b": [0, 0], "radius": -0.5})",
        R"(: "radius" is -0.5; it must not be negative)"},
       {R"({"type": "ray", "origin": [0, 0], "direction": [0, -0.0]})",

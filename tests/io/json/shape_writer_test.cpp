@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -41,6 +43,10 @@ TEST(JsonShapeWriter, EveryTypeIsWrittenWithItsFieldsInOrder) {
       written<2>(compound_of<2, double>({V(1, 2), V(3, 4)})),
       R"("type": "compound", "parts": [{"type": "point", "position": [1, 2]}, {"type": "point", "position": [3, 4]}])");
   EXPECT_EQ(written<2>(Compound<2, double>{}), R"("type": "compound", "parts": [])");
+  const std::array<Vec<2, double>, 3> corners = {{{0, 0}, {1.5, 0}, {0, 1}}};
+  const std::array<std::array<std::uint32_t, 3>, 1> faces = {{{0, 1, 2}}};
+  EXPECT_EQ((written<2>(mesh_of<2, double>(corners, faces, MeshKind::solid))),
+            R"("type": "mesh", "vertices": [[0, 0], [1.5, 0], [0, 1]], "faces": [[0, 1, 2]], "kind": "solid")");
 }
 
 TEST(JsonShapeWriter, NumbersAreTheShortestThatReadBackTheSame) {

@@ -42,6 +42,7 @@ TEST(Description, SaysWhatEachFieldMeans) {
       {{"a", point}, {"b", point}, {"radius", length}},
       {{"points", FieldKind::hull}},
       {{"parts", FieldKind::parts}},
+      {{"vertices", FieldKind::vertices}, {"faces", FieldKind::faces}, {"kind", FieldKind::mesh_kind}},
   }};
   const auto in_2d = detail::table_of_shapes<2, float>([]<class S>(std::type_identity<S>) { return fields_of<S>(); });
   const auto in_3d = detail::table_of_shapes<3, double>([]<class S>(std::type_identity<S>) { return fields_of<S>(); });

@@ -67,6 +67,8 @@ function changed(shape: Shape, change: Change): Shape {
       return { ...shape, a: point(shape.a), b: point(shape.b), radius: shape.radius * factor };
     case "polytope":
       return { ...shape, points: shape.points.map(point) };
+    case "mesh":
+      return { ...shape, vertices: shape.vertices.map(point) };
     case "compound":
       return { ...shape, parts: shape.parts.map((part) => changed(part, change)) };
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Shapes as text in a link: "sphere:0,1,0.5;segment:0,0,2,1" in 2D, with a third number for each point in 3D. The
-// rotation of an oriented box is an angle in degrees in 2D, and in 3D an axis whose length is the angle.
-import type { Shape, Vector } from "graze";
+// rotation of an oriented box is an angle in degrees in 2D, and in 3D an axis whose length is the angle. A mesh, in
+// 3D, has its vertices, its faces and its kind: "mesh:0,0,0,1,0,0,0,1,0/0,1,2/surface".
+import type { Mesh, Shape, Vector } from "graze";
 import * as THREE from "three";
 
 import { rounded } from "../numbers";
@@ -22,10 +23,30 @@ export function shapesOfText(text: string, dimension: 2 | 3): Shape[] | undefine
 
 function textOfShape(shape: Shape): string {
   if (shape.type === "compound") return `compound:${shape.parts.map(textOfShape).join("|")}`;
+  if (shape.type === "mesh") return textOfMesh(shape);
   return `${shape.type}:${numbersOf(shape).map(rounded).join(",")}`;
 }
 
-function numbersOf(shape: Exclude<Shape, { type: "compound" }>): number[] {
+function textOfMesh({ vertices, faces, kind }: Mesh): string {
+  const numbers = vertices.flatMap((vertex) => Array.from(vertex, rounded));
+  return `mesh:${numbers.join(",")}/${faces.flat().join(",")}/${kind ?? "surface"}`;
+}
+
+function meshOfText(text: string): Mesh | undefined {
+  const [vertices, faces, kind] = text.split("/");
+  const numbers = (list = ""): number[] => (list === "" ? [] : list.split(",").map(Number));
+  const rows = (list: readonly number[], width: number): number[][] =>
+    Array.from({ length: Math.ceil(list.length / width) }, (_, row) => list.slice(width * row, width * (row + 1)));
+  const points = rows(numbers(vertices), 3);
+  const corners = rows(numbers(faces), 3);
+  const isVertex = (index: number): boolean => Number.isInteger(index) && index >= 0 && index < points.length;
+  if (!points.every((point) => point.length === 3 && point.every(Number.isFinite))) return undefined;
+  if (!corners.every((face) => face.length === 3 && face.every(isVertex))) return undefined;
+  if (kind !== "surface" && kind !== "solid") return undefined;
+  return { type: "mesh", vertices: points, faces: corners.map(([a = 0, b = 0, c = 0]) => [a, b, c]), kind };
+}
+
+function numbersOf(shape: Exclude<Shape, { type: "compound" | "mesh" }>): number[] {
   switch (shape.type) {
     case "point":
       return [...shape.position];
@@ -71,6 +92,7 @@ function lengthIn(type: ShapeType, dimension: 2 | 3): number {
 
 function shapeOfText(text: string, dimension: 2 | 3): Shape | undefined {
   const colon = text.indexOf(":");
+  if (text.slice(0, colon) === "mesh") return dimension === 3 ? meshOfText(text.slice(colon + 1)) : undefined;
   const type = types.find((known) => known === text.slice(0, colon));
   const rest = text.slice(colon + 1);
   if (type === undefined) return undefined;
