@@ -33,23 +33,10 @@
 #include "meshes.hpp"
 #include "parts_of.hpp"
 #include "query/every_pair.hpp"
+#include "query/same_answers.hpp"
 
 namespace graze::test::mesh_laws_test {
 namespace {
-
-template <Dim N, class T>
-bool same_point(const Vec<N, T>& a, const Vec<N, T>& b) {
-  for (Dim i = 0; i < N; ++i) {
-    if (!(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i])))) return false;
-  }
-  return true;
-}
-
-template <Dim N, class T>
-bool same(const Proximity<N, T>& a, const Proximity<N, T>& b) {
-  return a.distance == b.distance && same_point<N, T>(a.point_a, b.point_a) && same_point<N, T>(a.point_b, b.point_b) &&
-         a.normal == b.normal && a.relation == b.relation && a.status == b.status && a.error == b.error;
-}
 
 template <class SpaceType>
 class SurfaceMesh : public ::testing::Test {

@@ -28,24 +28,10 @@
 
 #include "catalogue.hpp"
 #include "query/point_answers.hpp"
+#include "query/same_answers.hpp"
 
 namespace graze::test::visit_test {
 namespace {
-
-template <Dim N, class T>
-bool same_point(const Vec<N, T>& a, const Vec<N, T>& b) {
-  for (Dim i = 0; i < N; ++i) {
-    if (!(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i])))) return false;
-  }
-  return true;
-}
-
-/// Points are NaN if there is no part with points.
-template <Dim N, class T>
-bool same(const Proximity<N, T>& a, const Proximity<N, T>& b) {
-  return a.distance == b.distance && same_point<N, T>(a.point_a, b.point_a) && same_point<N, T>(a.point_b, b.point_b) &&
-         a.normal == b.normal && a.relation == b.relation && a.status == b.status && a.error == b.error;
-}
 
 template <class SpaceType>
 class TreeOfParts : public ::testing::Test {
