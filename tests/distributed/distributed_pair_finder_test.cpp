@@ -77,7 +77,7 @@ TEST(DistributedPairFinder, FindsThePairsOfDifficultWorlds) {
 
 TEST(DistributedPairFinder, FindsAllPairsOfIdenticalBoxesAndOfFewerBoxesThanRanks) {
   const int ranks = test::world_ranks();
-  for (const std::size_t count : {0, 1, 2, 3, 40}) {
+  for (const std::size_t count : {0U, 1U, 2U, 3U, 40U}) {
     const std::vector<Aabb<3, float>> world(count);
     const std::vector<std::uint64_t> ids = scattered_ids(count);
     const auto share = test::share_of<3, float>(MPI_COMM_WORLD, world, ids,
