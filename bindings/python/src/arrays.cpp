@@ -150,6 +150,7 @@ Dim columns_of_points(Argument argument, py::handle value) {
 template <Dim N, class T>
 std::vector<Vec<N, T>> points_of(Argument argument, py::handle value) {
   const py::array array = any_array(argument, value);
+  if (array.size() == 0 && array.ndim() == 1) return {};  // an empty list has no second axis
   const std::array<std::size_t, 1> allowed = {static_cast<std::size_t>(N)};
   require_columns(argument, array, allowed);
   const py::array numbers = converted<T>(argument, array);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <pybind11/stl.h>
 
 #include <graze/io/json_scene.hpp>
 #include <graze/io/log/query_log.hpp>

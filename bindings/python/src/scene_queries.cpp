@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <pybind11/stl.h>
 
 #include <graze/scene/slide.hpp>
 
