@@ -127,9 +127,17 @@ std::size_t alternative_of(const HeldShape& shape) {
   return on_shape(shape, [](const auto& any) { return any.index(); });
 }
 
+/// The shape behind `self`, which is anything if Python calls a method through its type.
+const HeldShape& shape_behind(const py::object& self) {
+  if (!is_boxed<HeldShape>(self)) {
+    throw py::type_error(fmt::format("a {} is no shape", Py_TYPE(self.ptr())->tp_name));
+  }
+  return unboxed<HeldShape>(self);
+}
+
 /// The constructor's arguments, for pickle.
 py::tuple reduced(const py::object& self) {
-  const auto& shape = unboxed<HeldShape>(self);
+  const HeldShape& shape = shape_behind(self);
   const std::size_t alternative = alternative_of(shape);
   py::dict keywords;
   const auto names = field_names(alternative);
@@ -150,7 +158,7 @@ py::object with_numbers_of(const HeldShape& shape) {
 }
 
 py::object as_type(const py::object& self, const py::object& dtype) {
-  const auto& shape = unboxed<HeldShape>(self);
+  const HeldShape& shape = shape_behind(self);
   const bool is_double = is_double_dtype(dtype);
   if (is_double == world_of(shape).is_double) return self;
   return is_double ? with_numbers_of<double>(shape) : with_numbers_of<float>(shape);
@@ -161,6 +169,14 @@ py::object many(std::size_t alternative, const py::args& arguments, const py::kw
   return in_world(world_of_arguments(fields, true), [&]<Dim N, class T>(In<N, T>) {
     return boxed(HeldShapes{shapes_from_rows<N, T>(fields)});
   });
+}
+
+py::object field_of(const py::object& self, std::size_t alternative, std::size_t field) {
+  const HeldShape& shape = shape_behind(self);
+  if (alternative_of(shape) != alternative) {
+    throw py::type_error(fmt::format("{} is no {}", described(shape), type_name_in_python(alternative)));
+  }
+  return field_value(shape, field, self);
 }
 
 void add_shape_type(py::module_& module, std::size_t alternative) {
@@ -175,7 +191,7 @@ void add_shape_type(py::module_& module, std::size_t alternative) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string name(names[i]);
     maker.property(
-        name.c_str(), [i](const py::object& self) { return field_value(unboxed<HeldShape>(self), i, self); }, "");
+        name.c_str(), [i, alternative](const py::object& self) { return field_of(self, alternative, i); }, "");
     match_arguments[i] = name;
   }
   maker.attribute("__match_args__", match_arguments);
