@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "arrays.hpp"
 
-#include "keys.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -10,6 +8,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "keys.hpp"
 
 namespace graze::python {
 namespace {
@@ -19,15 +19,15 @@ py::array any_array(Argument argument, py::handle value) {
   if (py::isinstance<py::array>(value)) return py::reinterpret_borrow<py::array>(value);
   // What is neither an array nor a sequence would become an array of one object.
   if (PySequence_Check(value.ptr()) == 0 || PyUnicode_Check(value.ptr()) != 0 || PyBytes_Check(value.ptr()) != 0) {
-    throw py::type_error(fmt::format("{} is a {}; an array of numbers is needed", argument.text(),
-                                     Py_TYPE(value.ptr())->tp_name));
+    throw py::type_error(
+        fmt::format("{} is a {}; an array of numbers is needed", argument.text(), Py_TYPE(value.ptr())->tp_name));
   }
   try {
     return py::module_::import("numpy").attr("asarray")(value);
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError)) throw;
-    throw py::value_error(fmt::format("{} cannot become an array: {}", argument.text(),
-                                      std::string(py::str(error.value()))));
+    throw py::value_error(
+        fmt::format("{} cannot become an array: {}", argument.text(), std::string(py::str(error.value()))));
   }
 }
 
@@ -39,7 +39,8 @@ bool is_float_array(const py::array& array) {
 
 std::string shape_text(const py::array& array) {
   std::string text;
-  for (py::ssize_t axis = 0; axis < array.ndim(); ++axis) text += fmt::format("{}{}", axis == 0 ? "" : ", ", array.shape(axis));
+  for (py::ssize_t axis = 0; axis < array.ndim(); ++axis)
+    text += fmt::format("{}{}", axis == 0 ? "" : ", ", array.shape(axis));
   return fmt::format("({})", text);
 }
 
@@ -48,8 +49,8 @@ template <class T>
 py::array converted(Argument argument, const py::array& array) {
   const char kind = kind_of(array);
   if (kind != 'f' && kind != 'i' && kind != 'u') {
-    throw py::type_error(fmt::format("{} has dtype {}; numbers are needed", argument.text(),
-                                     std::string(py::str(array.dtype()))));
+    throw py::type_error(
+        fmt::format("{} has dtype {}; numbers are needed", argument.text(), std::string(py::str(array.dtype()))));
   }
   auto result = py::array_t<T, py::array::c_style | py::array::forcecast>::ensure(array);
   if (!result) throw py::error_already_set();
@@ -94,8 +95,8 @@ std::size_t first_not_finite(const T* numbers, std::size_t count) {
   T sum = 0;  // is not finite if a number is not; checked first, because it needs no branches
   for (std::size_t i = 0; i < count; ++i) sum += numbers[i] * T(0);
   if (sum == T(0)) return count;
-  return static_cast<std::size_t>(std::find_if(numbers, numbers + count, [](T number) { return !std::isfinite(number); }) -
-                                  numbers);
+  return static_cast<std::size_t>(
+      std::find_if(numbers, numbers + count, [](T number) { return !std::isfinite(number); }) - numbers);
 }
 
 }  // namespace
@@ -167,8 +168,8 @@ std::vector<std::uint32_t> indices_of(Argument argument, py::handle value, std::
   require_columns(argument, array, allowed);
   const char kind = kind_of(array);
   if (kind != 'i' && kind != 'u') {
-    throw py::type_error(fmt::format("{} has dtype {}; integers are needed", argument.text(),
-                                     std::string(py::str(array.dtype()))));
+    throw py::type_error(
+        fmt::format("{} has dtype {}; integers are needed", argument.text(), std::string(py::str(array.dtype()))));
   }
   // As int64 only what is above 2^63 changes, and it becomes negative.
   const auto wide = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(array);
@@ -214,12 +215,14 @@ std::uint64_t packed_of(Argument argument, py::handle value) {
   const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
   if (!index) {
     PyErr_Clear();
-    throw py::type_error(fmt::format("{} is a {}; an integer is needed", argument.text(), Py_TYPE(value.ptr())->tp_name));
+    throw py::type_error(
+        fmt::format("{} is a {}; an integer is needed", argument.text(), Py_TYPE(value.ptr())->tp_name));
   }
   const unsigned long long number = PyLong_AsUnsignedLongLong(index.ptr());
   if (PyErr_Occurred() != nullptr) {
     PyErr_Clear();
-    throw py::index_error(fmt::format("{} is {}, which was never given out", argument.text(), std::string(py::str(index))));
+    throw py::index_error(
+        fmt::format("{} is {}, which was never given out", argument.text(), std::string(py::str(index))));
   }
   return number;
 }
@@ -235,8 +238,8 @@ std::vector<std::uint64_t> all_packed_of(Argument argument, py::handle value) {
   }
   if (PySequence_Check(value.ptr()) == 0 || PySequence_Size(value.ptr()) < 0) {
     PyErr_Clear();
-    throw py::type_error(fmt::format("{} is a {}; a sequence of integers is needed", argument.text(),
-                                     Py_TYPE(value.ptr())->tp_name));
+    throw py::type_error(
+        fmt::format("{} is a {}; a sequence of integers is needed", argument.text(), Py_TYPE(value.ptr())->tp_name));
   }
   const auto list = py::reinterpret_steal<py::object>(PySequence_Tuple(value.ptr()));
   if (!list) throw py::error_already_set();
@@ -261,12 +264,13 @@ double number_of(Argument argument, py::handle value) {
 template <Dim N, class T>
 Vec<N, T> vector_of(Argument argument, py::handle value) {
   if (PySequence_Check(value.ptr()) == 0 || PyUnicode_Check(value.ptr()) != 0) {
-    throw py::type_error(fmt::format("{} is a {}; {} numbers are needed", argument.text(),
-                                     Py_TYPE(value.ptr())->tp_name, N));
+    throw py::type_error(
+        fmt::format("{} is a {}; {} numbers are needed", argument.text(), Py_TYPE(value.ptr())->tp_name, N));
   }
   const py::ssize_t size = PySequence_Size(value.ptr());
   if (size < 0) throw py::error_already_set();
-  if (size != N) throw py::value_error(fmt::format("{} has {} elements; {} numbers are needed", argument.text(), size, N));
+  if (size != N)
+    throw py::value_error(fmt::format("{} has {} elements; {} numbers are needed", argument.text(), size, N));
   Vec<N, T> vector;
   for (Dim i = 0; i < N; ++i) {
     const auto element = py::reinterpret_steal<py::object>(PySequence_GetItem(value.ptr(), i));
@@ -280,8 +284,8 @@ template <Dim N, class T>
 Mat<N, T> matrix_of(Argument argument, py::handle value) {
   const std::vector<Vec<N, T>> rows = points_of<N, T>(argument, value);
   if (rows.size() != static_cast<std::size_t>(N)) {
-    throw py::value_error(fmt::format("{} has {} rows; a matrix of {} x {} numbers is needed", argument.text(),
-                                      rows.size(), N, N));
+    throw py::value_error(
+        fmt::format("{} has {} rows; a matrix of {} x {} numbers is needed", argument.text(), rows.size(), N, N));
   }
   Mat<N, T> matrix;
   for (Dim i = 0; i < N; ++i) {

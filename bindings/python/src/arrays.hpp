@@ -106,8 +106,8 @@ py::array array_of(std::vector<Element> list, std::size_t columns) {
   const py::capsule owner(kept.release(), [](void* memory) { delete static_cast<std::vector<Element>*>(memory); });
   const auto step = static_cast<py::ssize_t>(sizeof(Element));
   if (columns == 0) return py::array_t<Number>({rows}, {step}, data, owner);
-  return py::array_t<Number>({rows, static_cast<py::ssize_t>(columns)}, {step, static_cast<py::ssize_t>(sizeof(Number))},
-                             data, owner);
+  return py::array_t<Number>({rows, static_cast<py::ssize_t>(columns)},
+                             {step, static_cast<py::ssize_t>(sizeof(Number))}, data, owner);
 }
 
 inline py::array array_of(std::vector<Pair> pairs) { return array_of<std::uint32_t>(std::move(pairs), 2); }

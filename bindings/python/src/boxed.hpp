@@ -15,12 +15,15 @@ namespace graze::python {
 
 namespace py = pybind11;
 
-/// Specialised for every C++ type that has a Python type: `static constexpr auto name = py::detail::const_name("Scene")`.
+/// Specialised for every C++ type that has a Python type: `static constexpr auto name =
+/// py::detail::const_name("Scene")`.
 template <class Value>
 struct BoxedName;
 
 template <class Value>
-concept HasBox = requires { BoxedName<Value>::name; };
+concept HasBox = requires {
+  BoxedName<Value>::name;
+};
 
 /// The layout of an object.
 template <class Value>
@@ -85,8 +88,8 @@ class TypeMaker {
                            {Py_tp_new, reinterpret_cast<void*>(&create_box)},
                            {Py_tp_doc, const_cast<char*>(doc)},
                            {0, nullptr}};
-    PyType_Spec spec = {qualified_name, static_cast<int>(sizeof(Box<Value>)), 0, Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE,
-                        slots};
+    PyType_Spec spec = {qualified_name, static_cast<int>(sizeof(Box<Value>)), 0,
+                        Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE, slots};
     PyObject* const made =
         base == nullptr ? PyType_FromSpec(&spec) : PyType_FromSpecWithBases(&spec, reinterpret_cast<PyObject*>(base));
     if (made == nullptr) throw py::error_already_set();
@@ -100,7 +103,8 @@ class TypeMaker {
 
   template <class Function, class... Extra>
   TypeMaker& method(const char* name, Function&& function, const Extra&... extra) {
-    type_.attr(name) = py::cpp_function(std::forward<Function>(function), py::name(name), py::is_method(type_), extra...);
+    type_.attr(name) =
+        py::cpp_function(std::forward<Function>(function), py::name(name), py::is_method(type_), extra...);
     return *this;
   }
 

@@ -36,7 +36,8 @@ py::object ray_cast_of(const HeldShape& shape, const HeldShape& ray, const py::o
   return on_pair("ray_cast", shape, ray, [&]<Dim N, class T>(const AnyShape<N, T>& any, const AnyShape<N, T>& way) {
     if (const auto* const of_ray = std::get_if<Ray<N, T>>(&way)) return hit_of_ray(any, *of_ray, latest, options);
     const auto* const segment = std::get_if<Segment<N, T>>(&way);
-    if (segment == nullptr) throw py::type_error("ray_cast: ray is " + described(ray) + "; a Ray or a Segment is needed");
+    if (segment == nullptr)
+      throw py::type_error("ray_cast: ray is " + described(ray) + "; a Ray or a Segment is needed");
     return python_result(without_gil_if(is_large(any), [&] { return ray_cast(any, *segment, options); }));
   });
 }
@@ -64,16 +65,18 @@ py::object time_of_impact_of(const HeldShape& a, const py::object& motion_a, con
 }  // namespace
 
 void add_casts(py::module_& module) {
-  module.def("ray_cast", &ray_cast_of, py::arg("shape"), py::arg("ray"),
-             py::arg("t_max") = std::numeric_limits<double>::infinity(), py::arg("side") = "entry",
-             "Where a Ray, or a Segment, enters a shape, or leaves it (side='exit'): a RayHit, for a mesh a MeshHit, or "
-             "None. t_max is in units of the ray's direction.");
+  module.def(
+      "ray_cast", &ray_cast_of, py::arg("shape"), py::arg("ray"),
+      py::arg("t_max") = std::numeric_limits<double>::infinity(), py::arg("side") = "entry",
+      "Where a Ray, or a Segment, enters a shape, or leaves it (side='exit'): a RayHit, for a mesh a MeshHit, or "
+      "None. t_max is in units of the ray's direction.");
   module.def("shape_cast", &shape_cast_of, py::arg("a"), py::arg("motion"), py::arg("b"), py::kw_only(),
              py::arg("ignore_initial_touch") = false, py::arg("target_distance") = 0.0,
              "When a, which moves by the vector `motion`, first touches b: an Impact, or None.");
-  module.def("time_of_impact", &time_of_impact_of, py::arg("a"), py::arg("motion_a"), py::arg("b"),
-             py::arg("motion_b") = py::none(),
-             "When two shapes that move and rotate first touch: an Impact, or None. A motion is a Motion, a vector, or None.");
+  module.def(
+      "time_of_impact", &time_of_impact_of, py::arg("a"), py::arg("motion_a"), py::arg("b"),
+      py::arg("motion_b") = py::none(),
+      "When two shapes that move and rotate first touch: an Impact, or None. A motion is a Motion, a vector, or None.");
 }
 
 }  // namespace graze::python

@@ -34,7 +34,8 @@ py::object sphere_of(const py::object& points, const py::object& dtype) {
   return around_points("bounding_sphere", points, dtype, [](const auto& all) { return bounding_sphere(all); });
 }
 py::object fast_sphere_of(const py::object& points, const py::object& dtype) {
-  return around_points("bounding_sphere_fast", points, dtype, [](const auto& all) { return bounding_sphere_fast(all); });
+  return around_points("bounding_sphere_fast", points, dtype,
+                       [](const auto& all) { return bounding_sphere_fast(all); });
 }
 py::object obb_of(const py::object& points, const py::object& dtype) {
   return around_points("bounding_obb", points, dtype, [](const auto& all) { return bounding_obb(all); });

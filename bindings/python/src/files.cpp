@@ -31,7 +31,8 @@ io::SceneFile file_of(const HeldScene& held) {
       [&]<Dim N, class T>(const Scene<N, T>& scene) {
         return without_gil([&] {
           const std::shared_lock lock(*held.lock);
-          return io::SceneFile{io::scene_with_numbers<double>(scene), "", std::string(io::json_scene_schema), io::YAxis::up, {}};
+          return io::SceneFile{
+              io::scene_with_numbers<double>(scene), "", std::string(io::json_scene_schema), io::YAxis::up, {}};
         });
       },
       held.any);
@@ -61,8 +62,8 @@ py::object python_file(io::SceneFile file) {
         }
       },
       file.scene);
-  const py::object scene = std::visit(
-      []<Dim N>(Scene<N, double>& read) { return python_scene<N, double>(std::move(read)); }, file.scene);
+  const py::object scene =
+      std::visit([]<Dim N>(Scene<N, double>& read) { return python_scene<N, double>(std::move(read)); }, file.scene);
   return file_class(scene, file.format, file.y_axis == io::YAxis::up ? "up" : "down", velocities,
                     py::cast(file.warnings), texts_of(file.omissions));
 }
@@ -117,9 +118,10 @@ std::string svg_of_shape(const HeldShape& shape) {
 }
 
 void add_files(py::module_& module) {
-  module.def("read_scene", &read_file, py::arg("path"),
-             "Reads a scene file in any format that graze knows (JSON, CSV, Tiled), told apart by content: a SceneFile whose "
-             "scene has float64.");
+  module.def(
+      "read_scene", &read_file, py::arg("path"),
+      "Reads a scene file in any format that graze knows (JSON, CSV, Tiled), told apart by content: a SceneFile whose "
+      "scene has float64.");
   module.def("parse_scene", &parse_text, py::arg("text"), py::arg("source") = "text", py::arg("folder") = ".",
              "Reads a scene from text; `source` names it in messages.");
   module.def("scene_json", &scene_text, py::arg("scene"), "A scene as a text in graze's format, docs/scene_format.md.");

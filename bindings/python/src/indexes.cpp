@@ -231,12 +231,13 @@ struct Methods {
           without_gil([&] {
             const std::shared_lock lock(*held.lock);
             const auto boxes = rows.as<Aabb<N, T>>();
-            const auto found = detail::answers<std::vector<std::uint64_t>>(boxes.size(), {&used.executor()}, [&](std::size_t i) {
-              std::vector<std::uint64_t> met;
-              index.query(boxes[i], [&met](const Key& key) { met.push_back(packed(key)); });
-              std::sort(met.begin(), met.end());
-              return met;
-            });
+            const auto found =
+                detail::answers<std::vector<std::uint64_t>>(boxes.size(), {&used.executor()}, [&](std::size_t i) {
+                  std::vector<std::uint64_t> met;
+                  index.query(boxes[i], [&met](const Key& key) { met.push_back(packed(key)); });
+                  std::sort(met.begin(), met.end());
+                  return met;
+                });
             for (std::size_t i = 0; i < found.size(); ++i) {
               places.insert(places.end(), found[i].size(), static_cast<std::int64_t>(i));
               keys.insert(keys.end(), found[i].begin(), found[i].end());
@@ -317,7 +318,8 @@ struct Methods {
     TypeMaker maker = TypeMaker::of<Held>(module, name, doc);
     maker.constructor(make, py::arg("dimension") = 3, py::arg("dtype") = py::none());
     maker.method("insert", &insert, py::arg("box"), "Adds a box, (2 * N,): minima, then maxima. Returns its key.");
-    maker.method("assign", &assign, py::arg("boxes"), "Replaces all boxes by these, (n, 2 * N). Returns their keys, (n,).");
+    maker.method("assign", &assign, py::arg("boxes"),
+                 "Replaces all boxes by these, (n, 2 * N). Returns their keys, (n,).");
     maker.method("update", &update, py::arg("key"), py::arg("box"), "Replaces a box.");
     maker.method("update_many", &update_many, py::arg("keys"), py::arg("boxes"),
                  "Replaces many boxes, or none if a key or a box is not valid.");
@@ -336,18 +338,19 @@ struct Methods {
     maker.method("nearest", &nearest, py::arg("point"), py::arg("k") = 1,
                  "The k boxes nearest to a point (N,): keys and squared distances, by distance.");
     maker.method("pairs", &pairs, "All pairs of boxes that share a point: (n, 2) keys, ascending.");
-    maker.property("dimension", [](const Held& held) { return world(held).dimension; }, "2 or 3");
     maker.property(
-        "dtype", [](const Held& held) { return py::dtype(std::string(name_of_numbers(world(held)))); }, "float32 or float64");
+        "dimension", [](const Held& held) { return world(held).dimension; }, "2 or 3");
+    maker.property(
+        "dtype", [](const Held& held) { return py::dtype(std::string(name_of_numbers(world(held)))); },
+        "float32 or float64");
     maker.finish();
   }
 };
 
 template <template <Dim, class> class Index>
 py::object new_index(const py::object& dimension, const py::object& dtype) {
-  return in_world(world_of_words("index", dimension, dtype), []<Dim N, class T>(In<N, T>) {
-    return boxed(HeldIndex<Index>{Index<N, T>()});
-  });
+  return in_world(world_of_words("index", dimension, dtype),
+                  []<Dim N, class T>(In<N, T>) { return boxed(HeldIndex<Index>{Index<N, T>()}); });
 }
 
 }  // namespace
@@ -356,13 +359,15 @@ void add_indexes(py::module_& module) {
   Methods<Bvh>::add(module, "graze.Bvh",
                     "Bvh(dimension=3, dtype=numpy.float64)\n--\n\nAn index of moving boxes: the fastest to query.",
                     &new_index<Bvh>);
-  Methods<Orthtree>::add(module, "graze.Orthtree",
-                         "Orthtree(dimension=3, dtype=numpy.float64)\n--\n\nAn index of moving boxes: a quadtree in 2D, an "
-                         "octree in 3D.",
-                         &new_index<Orthtree>);
-  Methods<Grid>::add(module, "graze.Grid",
-                     "Grid(dimension=3, dtype=numpy.float64)\n--\n\nAn index of moving boxes: equal cells, found by hashing.",
-                     &new_index<Grid>);
+  Methods<Orthtree>::add(
+      module, "graze.Orthtree",
+      "Orthtree(dimension=3, dtype=numpy.float64)\n--\n\nAn index of moving boxes: a quadtree in 2D, an "
+      "octree in 3D.",
+      &new_index<Orthtree>);
+  Methods<Grid>::add(
+      module, "graze.Grid",
+      "Grid(dimension=3, dtype=numpy.float64)\n--\n\nAn index of moving boxes: equal cells, found by hashing.",
+      &new_index<Grid>);
 }
 
 }  // namespace graze::python

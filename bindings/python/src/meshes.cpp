@@ -28,7 +28,8 @@ template <class Use>
 auto on_mesh(const char* function, const HeldShape& shape, const Use& use) {
   return on_shape(shape, [&]<Dim N, class T>(const AnyShape<N, T>& any) {
     const auto* const mesh = std::get_if<Mesh<N, T>>(&any);
-    if (mesh == nullptr) throw py::type_error(fmt::format("{}: mesh is {}; a Mesh is needed", function, described(shape)));
+    if (mesh == nullptr)
+      throw py::type_error(fmt::format("{}: mesh is {}; a Mesh is needed", function, described(shape)));
     return use(*mesh);
   });
 }
@@ -98,9 +99,8 @@ py::object closest_points_of(const HeldShape& a, const py::object& b, const py::
   return on_mesh("closest_points", a, [&]<Dim N, class T>(const Mesh<N, T>& mesh) {
     const Rows rows = points_for<N, T>("closest_points", b);
     const Threads used("closest_points", threads);
-    return array_of<T>(
-        without_gil([&] { return closest_points(mesh, rows.as<Vec<N, T>>(), {&used.executor()}); }),
-        static_cast<std::size_t>(N));
+    return array_of<T>(without_gil([&] { return closest_points(mesh, rows.as<Vec<N, T>>(), {&used.executor()}); }),
+                       static_cast<std::size_t>(N));
   });
 }
 
@@ -108,7 +108,8 @@ py::object signed_distances_of(const HeldShape& shape, const py::object& points,
   return on_mesh("signed_distances", shape, [&]<Dim N, class T>(const Mesh<N, T>& mesh) {
     const Rows rows = points_for<N, T>("signed_distances", points);
     const Threads used("signed_distances", threads);
-    return array_of<T>(without_gil([&] { return signed_distances(mesh, rows.as<Vec<N, T>>(), {&used.executor()}); }), 0);
+    return array_of<T>(without_gil([&] { return signed_distances(mesh, rows.as<Vec<N, T>>(), {&used.executor()}); }),
+                       0);
   });
 }
 

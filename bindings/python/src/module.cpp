@@ -15,8 +15,8 @@ namespace graze::python {
 Threads::Threads(const char* function, const py::object& threads) {
   if (threads.is_none()) return;
   if (PyLong_Check(threads.ptr()) == 0) {
-    throw py::type_error(fmt::format("{}: threads is a {}; None or an integer is needed", function,
-                                     Py_TYPE(threads.ptr())->tp_name));
+    throw py::type_error(
+        fmt::format("{}: threads is a {}; None or an integer is needed", function, Py_TYPE(threads.ptr())->tp_name));
   }
   const long long count = PyLong_AsLongLong(threads.ptr());
   if (PyErr_Occurred() != nullptr) PyErr_Clear();
@@ -26,7 +26,8 @@ Threads::Threads(const char* function, const py::object& threads) {
 
 World world_of_words(const char* type, const py::object& dimension, const py::object& dtype) {
   const double given = number_of({type, "dimension"}, dimension);
-  if (given != 2 && given != 3) throw py::value_error(fmt::format("{}: dimension is {}; 2 or 3 is needed", type, given));
+  if (given != 2 && given != 3)
+    throw py::value_error(fmt::format("{}: dimension is {}; 2 or 3 is needed", type, given));
   return {static_cast<Dim>(given), is_double_dtype(dtype)};
 }
 
@@ -76,7 +77,8 @@ Pose<N, T> pose_of(Argument argument, py::handle value) {
   pose.rotation = matrix_of<N, T>(argument, given.attr("rotation"));
   pose.position = point_of<N, T>(argument, given.attr("position"));
   if (!(orthonormal_error(pose.rotation) <= tolerance::orthonormal)) {
-    throw py::value_error(argument.text() + " has a rotation whose columns are not orthonormal (unit length, at right angles)");
+    throw py::value_error(argument.text() +
+                          " has a rotation whose columns are not orthonormal (unit length, at right angles)");
   }
   return pose;
 }
@@ -85,7 +87,8 @@ namespace {
 
 py::array rotation_about(const py::object& axis, const py::object& radians) {
   const auto about = vector_of<3, double>({"rotation_from_axis_angle", "axis"}, axis);
-  return frozen_matrix<3, double>(rotation_from_axis_angle(about, number_of({"rotation_from_axis_angle", "radians"}, radians)));
+  return frozen_matrix<3, double>(
+      rotation_from_axis_angle(about, number_of({"rotation_from_axis_angle", "radians"}, radians)));
 }
 
 struct QuaternionNumbers {
@@ -113,9 +116,9 @@ void add_errors(py::module_& module) {
 
 }  // namespace
 
-#define GRAZE_PYTHON_ARGUMENTS(N, T)                               \
-  template Vec<N, T> point_of<N, T>(Argument, py::handle);         \
-  template Motion<N, T> motion_of<N, T>(Argument, py::handle);     \
+#define GRAZE_PYTHON_ARGUMENTS(N, T)                           \
+  template Vec<N, T> point_of<N, T>(Argument, py::handle);     \
+  template Motion<N, T> motion_of<N, T>(Argument, py::handle); \
   template Pose<N, T> pose_of<N, T>(Argument, py::handle);
 GRAZE_PYTHON_ARGUMENTS(2, float)
 GRAZE_PYTHON_ARGUMENTS(2, double)

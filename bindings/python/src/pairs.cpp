@@ -29,7 +29,8 @@ class PairArguments {
     const auto found = pair_method_named(method);
     if (!found) {
       std::string names;
-      for (const PairMethod known : all_pair_methods()) names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(known));
+      for (const PairMethod known : all_pair_methods())
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(known));
       throw py::value_error(fmt::format("{}: method is '{}'; it is one of {}", function, method, names));
     }
     options_.method = *found;
@@ -50,8 +51,8 @@ Rows boxes_like(const char* function, const Rows& first, const py::object& secon
   return rows_in({function, "boxes_b"}, second, first.columns, world_of_boxes(first), "boxes");
 }
 
-py::array overlapping_pairs_of(const py::object& boxes_a, const py::object& boxes_b, const py::object& margin, bool sorted,
-                               const std::string& method, const py::object& threads) {
+py::array overlapping_pairs_of(const py::object& boxes_a, const py::object& boxes_b, const py::object& margin,
+                               bool sorted, const std::string& method, const py::object& threads) {
   const PairArguments arguments("overlapping_pairs", margin, sorted, method, threads);
   const Rows a = rows_of({"overlapping_pairs", "boxes"}, boxes_a, {4, 6});
   return in_world(world_of_boxes(a), [&]<Dim N, class T>(In<N, T>) {
@@ -60,7 +61,8 @@ py::array overlapping_pairs_of(const py::object& boxes_a, const py::object& boxe
       return array_of(without_gil([&] { return overlapping_pairs<N, T>(a.as<Box>(), arguments.options()); }));
     }
     const Rows b = boxes_like("overlapping_pairs", a, boxes_b);
-    return array_of(without_gil([&] { return overlapping_pairs<N, T>(a.as<Box>(), b.as<Box>(), arguments.options()); }));
+    return array_of(
+        without_gil([&] { return overlapping_pairs<N, T>(a.as<Box>(), b.as<Box>(), arguments.options()); }));
   });
 }
 
@@ -84,9 +86,8 @@ World world_of_finder(const HeldFinder& finder) {
 }
 
 py::object new_finder(const py::object& dimension, const py::object& dtype) {
-  return in_world(world_of_words("PairFinder", dimension, dtype), []<Dim N, class T>(In<N, T>) {
-    return boxed(HeldFinder{PairFinder<N, T>()});
-  });
+  return in_world(world_of_words("PairFinder", dimension, dtype),
+                  []<Dim N, class T>(In<N, T>) { return boxed(HeldFinder{PairFinder<N, T>()}); });
 }
 
 py::array find_pairs(HeldFinder& finder, const py::object& boxes_a, const py::object& boxes_b, const py::object& margin,
@@ -126,11 +127,10 @@ py::object ask_candidates(const char* function, const py::object& shapes, const 
 }
 
 py::object touching_pairs_of(const py::object& shapes, const py::object& pairs, const py::object& threads) {
-  return ask_candidates(
-      "touching_pairs", shapes, pairs, threads,
-      []<Dim N, class T>(In<N, T>, auto all, auto candidates, TouchOptions options) -> py::object {
-        return array_of(without_gil([&] { return touching_pairs<N, T>(all, candidates, options); }));
-      });
+  return ask_candidates("touching_pairs", shapes, pairs, threads,
+                        []<Dim N, class T>(In<N, T>, auto all, auto candidates, TouchOptions options) -> py::object {
+                          return array_of(without_gil([&] { return touching_pairs<N, T>(all, candidates, options); }));
+                        });
 }
 
 py::object relations_of_pairs(const py::object& shapes, const py::object& pairs, const py::object& threads) {
@@ -139,7 +139,8 @@ py::object relations_of_pairs(const py::object& shapes, const py::object& pairs,
                           auto numbers = without_gil([&] {
                             const auto found = relations<N, T>(all, candidates, options);
                             std::vector<std::uint8_t> result(found.size());
-                            for (std::size_t i = 0; i < found.size(); ++i) result[i] = static_cast<std::uint8_t>(found[i]);
+                            for (std::size_t i = 0; i < found.size(); ++i)
+                              result[i] = static_cast<std::uint8_t>(found[i]);
                             return result;
                           });
                           return array_of<std::uint8_t>(std::move(numbers), 0);
@@ -176,17 +177,15 @@ struct ContactColumns {
 
 py::object contacts_of_pairs(const py::object& shapes, const py::object& pairs, const py::object& threads) {
   static ResultClass contacts_class("Contacts");
-  return ask_candidates("contacts", shapes, pairs, threads,
-                        []<Dim N, class T>(In<N, T>, auto all, auto candidates, TouchOptions options) -> py::object {
-                          auto found = without_gil(
-                              [&] { return ContactColumns<N, T>(contacts<N, T>(all, candidates, options)); });
-                          constexpr auto columns = static_cast<std::size_t>(N);
-                          return contacts_class(array_of(std::move(found.pairs)),
-                                                array_of<T>(std::move(found.normals), columns),
-                                                array_of<std::int64_t>(std::move(found.offsets), 0),
-                                                array_of<T>(std::move(found.points), columns),
-                                                array_of<T>(std::move(found.depths), 0));
-                        });
+  return ask_candidates(
+      "contacts", shapes, pairs, threads,
+      []<Dim N, class T>(In<N, T>, auto all, auto candidates, TouchOptions options) -> py::object {
+        auto found = without_gil([&] { return ContactColumns<N, T>(contacts<N, T>(all, candidates, options)); });
+        constexpr auto columns = static_cast<std::size_t>(N);
+        return contacts_class(array_of(std::move(found.pairs)), array_of<T>(std::move(found.normals), columns),
+                              array_of<std::int64_t>(std::move(found.offsets), 0),
+                              array_of<T>(std::move(found.points), columns), array_of<T>(std::move(found.depths), 0));
+      });
 }
 
 }  // namespace
@@ -209,10 +208,10 @@ void add_pairs(py::module_& module) {
              "For each pair 0 (apart), 1 (touching) or 2 (overlapping): (n,) of uint8.");
   module.def("contacts", &contacts_of_pairs, shapes, pairs, py::kw_only(), threads,
              "The contact points of the pairs (n, 2) whose shapes intersect: Contacts.");
-  TypeMaker finder = TypeMaker::of<HeldFinder>(
-      module, "graze.PairFinder",
-      "PairFinder(dimension=3, dtype=numpy.float64)\n--\n\noverlapping_pairs for boxes that move: faster from the second "
-      "call on.");
+  TypeMaker finder = TypeMaker::of<HeldFinder>(module, "graze.PairFinder",
+                                               "PairFinder(dimension=3, dtype=numpy.float64)\n--\n\noverlapping_pairs "
+                                               "for boxes that move: faster from the second "
+                                               "call on.");
   finder.constructor(&new_finder, py::arg("dimension") = 3, py::arg("dtype") = py::none());
   finder.method("find", &find_pairs, boxes, boxes_b, py::kw_only(), margin, sorted, method, threads,
                 "As overlapping_pairs, of arrays of the finder's dimension and dtype.");

@@ -39,7 +39,8 @@ bool do_intersect(const HeldShape& a, const HeldShape& b) {
 }
 
 py::str relation_of(const HeldShape& a, const HeldShape& b) {
-  return python_word(ask_pair("relation", a, b, [](const auto& in_a, const auto& in_b) { return relation(in_a, in_b); }));
+  return python_word(
+      ask_pair("relation", a, b, [](const auto& in_a, const auto& in_b) { return relation(in_a, in_b); }));
 }
 
 double distance_of(const HeldShape& a, const HeldShape& b) {
@@ -97,15 +98,15 @@ PyObject* call_intersects(PyObject* /*module*/, PyObject* const* arguments, py::
   return PyObject_Vectorcall(general_intersects, arguments, static_cast<std::size_t>(count), names);
 }
 
-PyMethodDef intersects_method = {"intersects", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&call_intersects)),
-                                 METH_FASTCALL | METH_KEYWORDS,
-                                 "intersects(a, b)\n--\n\nWhether two shapes share a point; touching counts."};
+PyMethodDef intersects_method = {
+    "intersects", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&call_intersects)),
+    METH_FASTCALL | METH_KEYWORDS, "intersects(a, b)\n--\n\nWhether two shapes share a point; touching counts."};
 
 void add_intersects(py::module_& module) {
   general_intersects =
       py::cpp_function(&do_intersect, py::name("intersects"), py::arg("a"), py::arg("b")).release().ptr();
-  module.attr("intersects") =
-      py::reinterpret_steal<py::object>(PyCFunction_NewEx(&intersects_method, nullptr, py::str("graze").release().ptr()));
+  module.attr("intersects") = py::reinterpret_steal<py::object>(
+      PyCFunction_NewEx(&intersects_method, nullptr, py::str("graze").release().ptr()));
 }
 
 // ---- A shape and points
@@ -204,9 +205,10 @@ void add_queries(py::module_& module) {
   const py::arg shape("shape");
   const py::arg point("point");
   add_intersects(module);
-  module.def("relation", &relation_of, a, b,
-             "'apart', 'touching' or 'overlapping'. 'touching': the gap or depth is zero or below the rounding error; the "
-             "other two are certain.");
+  module.def(
+      "relation", &relation_of, a, b,
+      "'apart', 'touching' or 'overlapping'. 'touching': the gap or depth is zero or below the rounding error; the "
+      "other two are certain.");
   module.def("distance", &distance_of, a, b, "The distance of two shapes; 0 if and only if they touch or overlap.");
   module.def("separation", &separation_of, a, b,
              "A Proximity whose distance is minus the depth if the shapes overlap.");
@@ -222,9 +224,10 @@ void add_queries(py::module_& module) {
              "The point of a shape nearest to a point (N,); the point itself if a solid contains it.");
   module.def("closest_boundary_point", &boundary_point_of, shape, point,
              "The point of a shape's surface nearest to a point (N,).");
-  module.def("bounds", &bounds_of, shape,
-             "The box around a shape, (2 * N,): minima, then maxima, rounded outward, infinite where the shape is. For a "
-             "sequence of shapes an array of boxes, (n, 2 * N).");
+  module.def(
+      "bounds", &bounds_of, shape,
+      "The box around a shape, (2 * N,): minima, then maxima, rounded outward, infinite where the shape is. For a "
+      "sequence of shapes an array of boxes, (n, 2 * N).");
   module.def("mass_properties", &mass_properties_of, shape, "Volume, centroid and inertia at density 1.");
 }
 

@@ -5,13 +5,13 @@ namespace graze::python {
 namespace {
 
 /// Words are made once.
-py::str kept_word(const char* word) {
-  return py::reinterpret_steal<py::str>(PyUnicode_InternFromString(word));
-}
+py::str kept_word(const char* word) { return py::reinterpret_steal<py::str>(PyUnicode_InternFromString(word)); }
 
 py::object python_feature(const Feature& feature) {
   static ResultClass feature_class("Feature");
-  const char* const kind = feature.kind == FeatureKind::vertex ? "vertex" : feature.kind == FeatureKind::edge ? "edge" : "face";
+  const char* const kind = feature.kind == FeatureKind::vertex ? "vertex"
+                           : feature.kind == FeatureKind::edge ? "edge"
+                                                               : "face";
   return feature_class(kept_word(kind), feature.index);
 }
 
@@ -31,9 +31,9 @@ py::str python_word(Status status) { return kept_word(status == Status::converge
 template <Dim N, class T>
 py::object python_result(const Proximity<N, T>& proximity) {
   static ResultClass proximity_class("Proximity");
-  return proximity_class(proximity.distance, frozen_vector<N, T>(proximity.point_a), frozen_vector<N, T>(proximity.point_b),
-                         frozen_vector<N, T>(proximity.normal), python_word(proximity.relation),
-                         python_word(proximity.status), proximity.error);
+  return proximity_class(proximity.distance, frozen_vector<N, T>(proximity.point_a),
+                         frozen_vector<N, T>(proximity.point_b), frozen_vector<N, T>(proximity.normal),
+                         python_word(proximity.relation), python_word(proximity.status), proximity.error);
 }
 
 template <Dim N, class T>
@@ -79,7 +79,7 @@ py::object python_result(const Impact<N, T>& impact) {
                       python_word(impact.status), impact.error);
 }
 
-#define GRAZE_PYTHON_RESULTS(N, T)                         \
+#define GRAZE_PYTHON_RESULTS(N, T)                           \
   template py::object python_result(const Proximity<N, T>&); \
   template py::object python_result(const Contact<N, T>&);   \
   template py::object python_result(const Manifold<N, T>&);  \

@@ -198,7 +198,8 @@ struct Queries {
     });
   }
 
-  static py::array cull(const Held& held, const HeldShape& region, const py::object& layers, const py::object& excluding) {
+  static py::array cull(const Held& held, const HeldShape& region, const py::object& layers,
+                        const py::object& excluding) {
     const QueryWords words("cull", held, layers, excluding);
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) {
       const AnyShape<N, T>& shape = shape_in<N, T>("cull", region);
@@ -234,14 +235,14 @@ struct Queries {
     });
   }
 
-  static py::object ray_cast(const Held& held, const HeldShape& given, const py::object& t_max, const py::object& layers,
-                             const py::object& excluding) {
+  static py::object ray_cast(const Held& held, const HeldShape& given, const py::object& t_max,
+                             const py::object& layers, const py::object& excluding) {
     const QueryWords words("ray_cast", held, layers, excluding);
     const double latest = number_of({"ray_cast", "t_max"}, t_max);
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) -> py::object {
       const Ray<N, T>& ray = ray_in<N, T>("ray_cast", given);
-      const auto hit =
-          read_in<N, T>(held, [&](const auto& view) { return view.ray_cast(ray, static_cast<T>(latest), words.query); });
+      const auto hit = read_in<N, T>(
+          held, [&](const auto& view) { return view.ray_cast(ray, static_cast<T>(latest), words.query); });
       return hit ? python_hit(*hit) : py::none();
     });
   }
@@ -264,7 +265,8 @@ struct Queries {
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) -> py::object {
       const AnyShape<N, T>& shape = shape_in<N, T>("shape_cast", given);
       const auto way = point_of<N, T>({"shape_cast", "motion"}, motion);
-      const auto found = read_in<N, T>(held, [&](const auto& view) { return view.shape_cast(shape, way, words.query); });
+      const auto found =
+          read_in<N, T>(held, [&](const auto& view) { return view.shape_cast(shape, way, words.query); });
       return found ? python_impact(*found) : py::none();
     });
   }
@@ -330,14 +332,13 @@ struct Queries {
         [](const Held& held) { return py::cast(read(held, [](const auto& view) { return view.layer_names(); })); },
         "The names of the layers, by number.");
     maker.property(
-        "dimension",
-        [](const Held& held) { return in_world_of(held, []<Dim N, class T>(In<N, T>) { return N; }); }, "2 or 3");
+        "dimension", [](const Held& held) { return in_world_of(held, []<Dim N, class T>(In<N, T>) { return N; }); },
+        "2 or 3");
     maker.property(
         "dtype",
         [](const Held& held) {
-          return in_world_of(held, []<Dim N, class T>(In<N, T>) {
-            return py::dtype(std::string(name_of_numbers(In<N, T>::world)));
-          });
+          return in_world_of(
+              held, []<Dim N, class T>(In<N, T>) { return py::dtype(std::string(name_of_numbers(In<N, T>::world))); });
         },
         "float32 or float64");
   }
@@ -352,8 +353,9 @@ struct Queries {
     const py::arg_v excluding("excluding", py::tuple(), "()");
     const py::arg_v t_max("t_max", std::numeric_limits<double>::infinity(), "inf");
     const py::arg_v ignore("ignore_initial_touch", false);
-    maker.method("candidates", &candidates, py::arg("margin") = 0.0,
-                 "The pairs whose boxes overlap, or are at most `margin` apart along every axis: (n, 2) ids, ascending.");
+    maker.method(
+        "candidates", &candidates, py::arg("margin") = 0.0,
+        "The pairs whose boxes overlap, or are at most `margin` apart along every axis: (n, 2) ids, ascending.");
     maker.method("pairs", &pairs, "All pairs that touch or overlap: (n, 2) ids, ascending.");
     maker.method("contacts", &contacts, keywords, py::arg("threads") = py::none(),
                  "The contact points of `pairs`: a list of ObjectContact.");
@@ -375,8 +377,9 @@ struct Queries {
                  "The first object that a shape touches as it moves by a vector: an ObjectImpact, or None.");
     maker.method("shape_cast_all", &shape_cast_all, shape, motion, keywords, layers, excluding, ignore,
                  "All objects that a moving shape touches: a list of ObjectImpact, by t.");
-    maker.method("time_of_impact", &time_of_impact, shape, motion, keywords, layers, excluding,
-                 "The first object that a shape touches as it moves and rotates by a Motion: an ObjectImpact, or None.");
+    maker.method(
+        "time_of_impact", &time_of_impact, shape, motion, keywords, layers, excluding,
+        "The first object that a shape touches as it moves and rotates by a Motion: an ObjectImpact, or None.");
     maker.method("slide", &slide_along, shape, motion, keywords, layers, excluding, py::arg("up") = py::none(),
                  py::arg("max_slope") = SlideOptions().max_slope, py::arg("step_height") = 0.0,
                  py::arg("clearance") = SlideOptions().clearance,

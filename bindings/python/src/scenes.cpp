@@ -46,8 +46,8 @@ template <Dim N, class T>
 void require_world(const char* function, const py::object& shapes) {
   const World world = world_of_shapes(function, shapes);
   if (world == In<N, T>::world) return;
-  throw py::value_error(fmt::format("{}: the shapes are in {}D of {}, the scene in {}D of {}", function, world.dimension,
-                                    name_of_numbers(world), N, name_of_numbers(In<N, T>::world)));
+  throw py::value_error(fmt::format("{}: the shapes are in {}D of {}, the scene in {}D of {}", function,
+                                    world.dimension, name_of_numbers(world), N, name_of_numbers(In<N, T>::world)));
 }
 
 /// Locks without keeping the GIL from others meanwhile. Whoever waits for the lock has let go of the GIL.
@@ -87,7 +87,8 @@ ObjectOptions options_of(Scene<N, T>& scene, const ObjectWords& words) {
     return options;
   }
   const std::uint64_t layer = unsigned_of({"add", "layer"}, words.layer);
-  if (layer >= max_layers) throw py::value_error(fmt::format("add: layer is {}; there are {} layers", layer, max_layers));
+  if (layer >= max_layers)
+    throw py::value_error(fmt::format("add: layer is {}; there are {} layers", layer, max_layers));
   options.layer = static_cast<Layer>(layer);
   return options;
 }
@@ -182,7 +183,8 @@ void move_objects(HeldScene& held, const py::object& numbers, const py::object& 
           });
           return;
         }
-        if (ids.empty() && !is_boxed<HeldShapes>(shapes) && PySequence_Check(shapes.ptr()) != 0 && py::len(shapes) == 0) return;
+        if (ids.empty() && !is_boxed<HeldShapes>(shapes) && PySequence_Check(shapes.ptr()) != 0 && py::len(shapes) == 0)
+          return;
         require_world<N, T>("move_many", shapes);
         const ShapeSpan<N, T> all("move_many", shapes);
         require_count(all.span().size());
@@ -258,12 +260,14 @@ LayerMask mask_of(const char* function, py::handle value, const std::vector<std:
     if (PyUnicode_Check(layer.ptr()) != 0) {
       const auto word = layer.cast<std::string>();
       const auto place = std::find(names.begin(), names.end(), word);
-      if (place == names.end()) throw py::value_error(fmt::format("{} names '{}', which is no layer", argument.text(), word));
+      if (place == names.end())
+        throw py::value_error(fmt::format("{} names '{}', which is no layer", argument.text(), word));
       number = static_cast<std::uint64_t>(place - names.begin());
     } else {
       number = unsigned_of(argument, py::reinterpret_borrow<py::object>(layer));
     }
-    if (number >= max_layers) throw py::value_error(fmt::format("{} has layer {}; there are {}", argument.text(), number, max_layers));
+    if (number >= max_layers)
+      throw py::value_error(fmt::format("{} has layer {}; there are {}", argument.text(), number, max_layers));
     mask |= only_layer(static_cast<Layer>(number));
   }
   return mask;
@@ -279,27 +283,31 @@ void add_scenes(py::module_& module) {
   TypeMaker view = TypeMaker::of<HeldView>(
       module, "graze.SceneView", "A read-only copy of a scene, from Scene.snapshot: it has the queries of a Scene.");
   view.no_constructor("a SceneView is made by Scene.snapshot");
-  TypeMaker scene = TypeMaker::of<HeldScene>(
-      module, "graze.Scene",
-      "Scene(dimension=3, dtype=numpy.float64)\n--\n\nA world of shapes that are added, moved and removed. Objects have ids: "
-      "integers that are never valid again after the object is removed.");
+  TypeMaker scene = TypeMaker::of<HeldScene>(module, "graze.Scene",
+                                             "Scene(dimension=3, dtype=numpy.float64)\n--\n\nA world of shapes that "
+                                             "are added, moved and removed. Objects have ids: "
+                                             "integers that are never valid again after the object is removed.");
   scene.constructor(&new_scene, py::arg("dimension") = 3, py::arg("dtype") = py::none());
   const py::arg_v layer("layer", 0);
   const py::arg_v mask("mask", py::none(), "None");
-  scene.method("add", &add_object, py::arg("shape"), py::kw_only(), py::arg("name") = "", layer, mask,
-               py::arg("user") = 0, py::arg("fixed") = false,
-               "Adds an object and returns its id. layer: a name or a number below 64; mask: the layers that it can touch, as "
-               "`layers` of queries; fixed objects are never a pair.");
+  scene.method(
+      "add", &add_object, py::arg("shape"), py::kw_only(), py::arg("name") = "", layer, mask, py::arg("user") = 0,
+      py::arg("fixed") = false,
+      "Adds an object and returns its id. layer: a name or a number below 64; mask: the layers that it can touch, as "
+      "`layers` of queries; fixed objects are never a pair.");
   scene.method("add_many", &add_objects, py::arg("shapes"), py::kw_only(), layer, mask, py::arg("fixed") = false,
                "Adds shapes, without names, and returns their ids, (n,) of uint64.");
   scene.method("move", &move_object, py::arg("id"), py::arg("shape"), "Replaces an object's shape.");
-  scene.method("move_many", &move_objects, py::arg("ids"), py::arg("shapes"),
-               "Replaces the shapes of many objects, or of none if one is not valid: by graze.Shapes, another sequence of "
-               "shapes, or boxes, (n, 2 * N).");
+  scene.method(
+      "move_many", &move_objects, py::arg("ids"), py::arg("shapes"),
+      "Replaces the shapes of many objects, or of none if one is not valid: by graze.Shapes, another sequence of "
+      "shapes, or boxes, (n, 2 * N).");
   scene.method("remove", &remove_object, py::arg("id"), "Removes an object.");
-  scene.method("except_pair", &except_pair, py::arg("a"), py::arg("b"), "From now on, the two objects are never a pair.");
+  scene.method("except_pair", &except_pair, py::arg("a"), py::arg("b"),
+               "From now on, the two objects are never a pair.");
   scene.method("accept_pair", &accept_pair, py::arg("a"), py::arg("b"), "Undoes except_pair.");
-  scene.method("layer", &layer_named, py::arg("name"), "The number of the layer with this name, created if there is none.");
+  scene.method("layer", &layer_named, py::arg("name"),
+               "The number of the layer with this name, created if there is none.");
   scene.method("update", &update_scene, py::kw_only(), py::arg("threads") = py::none(),
                "Finds the pairs that touch now, and how they changed since the last update: SceneEvents.");
   scene.property("events", &events_of, "The events of the last update.");

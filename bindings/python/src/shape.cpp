@@ -28,28 +28,36 @@ constexpr std::array<ShapeType, std::variant_size_v<AnyShape<2, float>>> shape_t
     {"graze.Point", "Point(position, *, dtype=numpy.float64)\n--\n\nA point, as a shape. position: (N,), N = 2 or 3."},
     {"graze.Segment", "Segment(start, end, *, dtype=numpy.float64)\n--\n\nAll points between two ends, (N,) each."},
     {"graze.Ray",
-     "Ray(origin, direction, *, dtype=numpy.float64)\n--\n\nAll points origin + t * direction with t >= 0. The direction, "
+     "Ray(origin, direction, *, dtype=numpy.float64)\n--\n\nAll points origin + t * direction with t >= 0. The "
+     "direction, "
      "(N,), may have any length but zero."},
     {"graze.Sphere", "Sphere(center, radius, *, dtype=numpy.float64)\n--\n\nA ball; in 2D a disk. center: (N,)."},
     {"graze.Aabb", "Aabb(min, max, *, dtype=numpy.float64)\n--\n\nA box along the axes, min <= max: (N,) each."},
     {"graze.Obb",
-     "Obb(center, half_extents, axes=None, *, dtype=numpy.float64)\n--\n\nA box of any orientation: all center + axes @ u "
+     "Obb(center, half_extents, axes=None, *, dtype=numpy.float64)\n--\n\nA box of any orientation: all center + axes "
+     "@ u "
      "with abs(u) <= half_extents. axes: (N, N), a rotation matrix, whose columns are the axes of the box."},
-    {"graze.Plane", "Plane(normal, offset, *, dtype=numpy.float64)\n--\n\nAll x with normal @ x == offset; in 2D a line."},
+    {"graze.Plane",
+     "Plane(normal, offset, *, dtype=numpy.float64)\n--\n\nAll x with normal @ x == offset; in 2D a line."},
     {"graze.HalfSpace",
-     "HalfSpace(normal, offset, *, dtype=numpy.float64)\n--\n\nAll x with normal @ x <= offset: the normal points out of "
+     "HalfSpace(normal, offset, *, dtype=numpy.float64)\n--\n\nAll x with normal @ x <= offset: the normal points out "
+     "of "
      "the solid."},
     {"graze.Triangle", "Triangle(a, b, c, *, dtype=numpy.float64)\n--\n\nA triangle of three corners, (N,) each."},
     {"graze.Capsule",
-     "Capsule(a, b, radius, *, dtype=numpy.float64)\n--\n\nAll points at most `radius` away from the segment from a to b."},
+     "Capsule(a, b, radius, *, dtype=numpy.float64)\n--\n\nAll points at most `radius` away from the segment from a to "
+     "b."},
     {"graze.Polytope",
-     "Polytope(points, *, dtype=numpy.float64)\n--\n\nThe convex hull of points, (n, N); its corners in the order of the "
+     "Polytope(points, *, dtype=numpy.float64)\n--\n\nThe convex hull of points, (n, N); its corners in the order of "
+     "the "
      "points, in 2D counter-clockwise. `convex_hull` sorts them."},
     {"graze.Compound",
-     "Compound(parts, *, dimension=None, dtype=None)\n--\n\nThe union of shapes of one dimension and dtype. Without parts "
+     "Compound(parts, *, dimension=None, dtype=None)\n--\n\nThe union of shapes of one dimension and dtype. Without "
+     "parts "
      "it needs the dimension, and touches nothing."},
     {"graze.Mesh",
-     "Mesh(vertices, faces, kind='surface', *, dimension=None, dtype=numpy.float64)\n--\n\nTriangles with common vertices: "
+     "Mesh(vertices, faces, kind='surface', *, dimension=None, dtype=numpy.float64)\n--\n\nTriangles with common "
+     "vertices: "
      "(n, N) numbers and (m, 3) indices. kind: 'surface', the union of the faces, or 'solid', in 3D also what they "
      "enclose."},
 }};
@@ -102,7 +110,9 @@ class Hash {
   void add(const AnyShape<N, T>& shape) {
     add(static_cast<std::uint64_t>(shape.index()));
     detail::visit(
-        [this](const auto& held) { detail::for_each_field(held, [this](const auto&, const auto& value) { add(value); }); },
+        [this](const auto& held) {
+          detail::for_each_field(held, [this](const auto&, const auto& value) { add(value); });
+        },
         shape);
   }
 
@@ -166,9 +176,8 @@ py::object as_type(const py::object& self, const py::object& dtype) {
 
 py::object many(std::size_t alternative, const py::args& arguments, const py::kwargs& keywords) {
   const FieldArguments fields = field_arguments(alternative, arguments, keywords);
-  return in_world(world_of_arguments(fields, true), [&]<Dim N, class T>(In<N, T>) {
-    return boxed(HeldShapes{shapes_from_rows<N, T>(fields)});
-  });
+  return in_world(world_of_arguments(fields, true),
+                  [&]<Dim N, class T>(In<N, T>) { return boxed(HeldShapes{shapes_from_rows<N, T>(fields)}); });
 }
 
 py::object field_of(const py::object& self, std::size_t alternative, std::size_t field) {
@@ -198,8 +207,11 @@ void add_shape_type(py::module_& module, std::size_t alternative) {
   if (has_fixed_size(alternative)) {
     maker.static_method(
         "many",
-        [alternative](const py::args& arguments, const py::kwargs& keywords) { return many(alternative, arguments, keywords); },
-        "graze.Shapes of this type, from arrays with a row for each: the arguments of the constructor with one more axis.");
+        [alternative](const py::args& arguments, const py::kwargs& keywords) {
+          return many(alternative, arguments, keywords);
+        },
+        "graze.Shapes of this type, from arrays with a row for each: the arguments of the constructor with one more "
+        "axis.");
   }
   maker.finish();
 }
@@ -208,9 +220,8 @@ void add_shape_type(py::module_& module, std::size_t alternative) {
 
 py::object shapes_from(const py::object& sequence) {
   if (is_boxed<HeldShapes>(sequence)) return sequence;
-  return in_world(world_of_shapes("Shapes", sequence), [&]<Dim N, class T>(In<N, T>) {
-    return boxed(HeldShapes{shapes_of<N, T>("Shapes", sequence)});
-  });
+  return in_world(world_of_shapes("Shapes", sequence),
+                  [&]<Dim N, class T>(In<N, T>) { return boxed(HeldShapes{shapes_of<N, T>("Shapes", sequence)}); });
 }
 
 py::ssize_t size_of(const HeldShapes& shapes) {
@@ -220,7 +231,8 @@ py::ssize_t size_of(const HeldShapes& shapes) {
 py::object element_of(const HeldShapes& shapes, py::ssize_t index) {
   const py::ssize_t size = size_of(shapes);
   const py::ssize_t place = index < 0 ? index + size : index;
-  if (place < 0 || place >= size) throw py::index_error(fmt::format("Shapes has {} shapes, but the index is {}", size, index));
+  if (place < 0 || place >= size)
+    throw py::index_error(fmt::format("Shapes has {} shapes, but the index is {}", size, index));
   return std::visit(
       [place]<Dim N, class T>(const std::vector<AnyShape<N, T>>& list) {
         return python_shape<N, T>(list[static_cast<std::size_t>(place)], "Shapes");
@@ -233,22 +245,25 @@ World world_of(const HeldShapes& shapes) {
 }
 
 void add_shape_list(py::module_& module) {
-  TypeMaker maker = TypeMaker::of<HeldShapes>(
-      module, "graze.Shapes",
-      "Shapes(shapes)\n--\n\nAn immutable sequence of shapes of one dimension and dtype, which batches read without a copy. "
-      "Types like Sphere make one from arrays: Sphere.many(centers, radii).");
+  TypeMaker maker = TypeMaker::of<HeldShapes>(module, "graze.Shapes",
+                                              "Shapes(shapes)\n--\n\nAn immutable sequence of shapes of one dimension "
+                                              "and dtype, which batches read without a copy. "
+                                              "Types like Sphere make one from arrays: Sphere.many(centers, radii).");
   maker.constructor(&shapes_from, py::arg("shapes"));
   maker.method("__len__", &size_of);
   maker.method("__getitem__", &element_of, py::arg("index"));
   maker.method("__reduce__", [](const py::object& self) {
-    return py::make_tuple(py::handle(reinterpret_cast<PyObject*>(boxed_type<HeldShapes>)), py::make_tuple(py::list(self)));
+    return py::make_tuple(py::handle(reinterpret_cast<PyObject*>(boxed_type<HeldShapes>)),
+                          py::make_tuple(py::list(self)));
   });
   maker.method("__repr__", [](const HeldShapes& shapes) {
     const World world = world_of(shapes);
     return fmt::format("<graze.Shapes: {} in {}D, {}>", size_of(shapes), world.dimension, name_of_numbers(world));
   });
-  maker.property("dimension", [](const HeldShapes& shapes) { return world_of(shapes).dimension; }, "2 or 3");
-  maker.property("dtype", [](const HeldShapes& shapes) { return dtype_of(world_of(shapes)); }, "float32 or float64");
+  maker.property(
+      "dimension", [](const HeldShapes& shapes) { return world_of(shapes).dimension; }, "2 or 3");
+  maker.property(
+      "dtype", [](const HeldShapes& shapes) { return dtype_of(world_of(shapes)); }, "float32 or float64");
   maker.finish();
 }
 
@@ -270,7 +285,8 @@ std::string described(const HeldShape& shape) {
 bool is_double_dtype(py::handle dtype) {
   const py::dtype type = py::dtype::from_args(py::reinterpret_borrow<py::object>(dtype));
   if (type.kind() == 'f' && (type.itemsize() == 4 || type.itemsize() == 8)) return type.itemsize() == 8;
-  throw py::type_error(fmt::format("dtype is {}; float32 or float64 is needed", std::string(py::str(py::object(type)))));
+  throw py::type_error(
+      fmt::format("dtype is {}; float32 or float64 is needed", std::string(py::str(py::object(type)))));
 }
 
 template <Dim N, class T>
@@ -331,10 +347,10 @@ ShapeList<N, T> shapes_of(const char* function, py::handle sequence) {
 }
 
 void add_shapes(py::module_& module) {
-  TypeMaker base = TypeMaker::of<HeldShape>(
-      module, "graze.Shape",
-      "What all shapes have in common: closed sets in world coordinates, which never change. Shapes with equal fields are "
-      "equal, and `repr` is an expression that makes the shape.");
+  TypeMaker base = TypeMaker::of<HeldShape>(module, "graze.Shape",
+                                            "What all shapes have in common: closed sets in world coordinates, which "
+                                            "never change. Shapes with equal fields are "
+                                            "equal, and `repr` is an expression that makes the shape.");
   base.no_constructor("Shape is the base of the types of shapes: make a Sphere, an Obb, a Mesh or another");
   base.method("__eq__", [](const HeldShape& a, const py::object& b) -> py::object {
     if (!is_boxed<HeldShape>(b)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
@@ -345,14 +361,17 @@ void add_shapes(py::module_& module) {
   base.method("__reduce__", &reduced);
   base.method("_repr_svg_", &svg_of_shape, "A picture of the shape.");
   base.method("astype", &as_type, py::arg("dtype"), "The shape with numbers of float32 or float64, which are rounded.");
-  base.property("dimension", [](const HeldShape& shape) { return world_of(shape).dimension; }, "2 or 3");
-  base.property("dtype", [](const HeldShape& shape) { return dtype_of(world_of(shape)); }, "float32 or float64");
-  for (std::size_t alternative = 0; alternative < shape_types.size(); ++alternative) add_shape_type(module, alternative);
+  base.property(
+      "dimension", [](const HeldShape& shape) { return world_of(shape).dimension; }, "2 or 3");
+  base.property(
+      "dtype", [](const HeldShape& shape) { return dtype_of(world_of(shape)); }, "float32 or float64");
+  for (std::size_t alternative = 0; alternative < shape_types.size(); ++alternative)
+    add_shape_type(module, alternative);
   base.finish();
   add_shape_list(module);
 }
 
-#define GRAZE_PYTHON_SHAPES(N, T)                                          \
+#define GRAZE_PYTHON_SHAPES(N, T)                                           \
   template py::object python_shape<N, T>(AnyShape<N, T>, std::string_view); \
   template ShapeList<N, T> shapes_of<N, T>(const char*, py::handle);
 GRAZE_PYTHON_SHAPES(2, float)

@@ -35,8 +35,9 @@ constexpr auto fields_by_type = detail::table_of_shapes<2, float>(
     []<class S>(std::type_identity<S>) { return std::span<const FieldName>(fields_of<S>); });
 
 template <class S>
-constexpr auto names_of = detail::description_of<S>.apply(
-    [](const auto&... fields) { return std::array<std::string_view, sizeof...(fields)>{fields.name...}; });
+constexpr auto names_of = detail::description_of<S>.apply([](const auto&... fields) {
+  return std::array<std::string_view, sizeof...(fields)>{fields.name...};
+});
 
 constexpr auto names_by_type = detail::table_of_shapes<2, float>(
     []<class S>(std::type_identity<S>) { return std::span<const std::string_view>(names_of<S>); });
@@ -101,7 +102,8 @@ AnyShape<N, T> made(const FieldArguments& arguments) {
 
 template <Dim N, class T>
 AnyShape<N, T> made_of_type(const FieldArguments& arguments) {
-  static constexpr auto makers = detail::table_of_shapes<N, T>([]<class S>(std::type_identity<S>) { return &made<N, T, S>; });
+  static constexpr auto makers =
+      detail::table_of_shapes<N, T>([]<class S>(std::type_identity<S>) { return &made<N, T, S>; });
   return makers[arguments.alternative](arguments);
 }
 
@@ -128,7 +130,8 @@ void write_rows(Argument argument, py::handle value, std::vector<S>& shapes, con
   } else if constexpr (std::is_same_v<Value, Vec<N, T>>) {
     const std::vector<Vec<N, T>> points = points_of<N, T>(argument, value);
     if (points.size() != shapes.size()) {
-      throw py::value_error(fmt::format("{} has {} rows, the first field {}", argument.text(), points.size(), shapes.size()));
+      throw py::value_error(
+          fmt::format("{} has {} rows, the first field {}", argument.text(), points.size(), shapes.size()));
     }
     for (std::size_t i = 0; i < shapes.size(); ++i) access(shapes[i]) = points[i];
   } else {
@@ -162,7 +165,8 @@ std::vector<AnyShape<N, T>> made_from_rows(const FieldArguments& arguments) {
       const auto write = [&](const auto& field) {
         const Argument argument{type, field.name};
         if (arguments.values[i]) {
-          write_rows<N, T>(argument, arguments.values[i], shapes, [&](S& shape) -> auto& { return field.in(shape); });
+          write_rows<N, T>(
+              argument, arguments.values[i], shapes, [&](S & shape) -> auto& { return field.in(shape); });
         }
         ++i;
       };
@@ -266,9 +270,8 @@ std::string spelled_shape(const AnyShape<N, T>& shape) {
   return detail::visit(
       [&shape]<class S>(const S& held) {
         std::string text;
-        detail::for_each_field(held, [&text](const auto&, const auto& value) {
-          text += (text.empty() ? "" : ", ") + spelled(value);
-        });
+        detail::for_each_field(
+            held, [&text](const auto&, const auto& value) { text += (text.empty() ? "" : ", ") + spelled(value); });
         return fmt::format("graze.{}({}{})", type_name_in_python(shape.index()), text, rest_of_arguments<N, T>(held));
       },
       shape);
@@ -288,8 +291,8 @@ FieldArguments field_arguments(std::size_t alternative, const py::args& argument
   const std::span<const std::string_view> names = names_by_type[alternative];
   FieldArguments found{alternative, std::vector<py::handle>(names.size()), 0, {}};
   if (arguments.size() > names.size()) {
-    throw py::type_error(fmt::format("{}() takes {}, but {} arguments are given", type, fmt::join(names, ", "),
-                                     arguments.size()));
+    throw py::type_error(
+        fmt::format("{}() takes {}, but {} arguments are given", type, fmt::join(names, ", "), arguments.size()));
   }
   for (std::size_t i = 0; i < arguments.size(); ++i) found.values[i] = PyTuple_GET_ITEM(arguments.ptr(), i);
   for (const auto& [key, value] : keywords) {
@@ -307,7 +310,8 @@ FieldArguments field_arguments(std::size_t alternative, const py::args& argument
       if (dimension != 2 && dimension != 3) throw py::value_error(fmt::format("{}: dimension is not 2 or 3", type));
       found.dimension = static_cast<Dim>(dimension);
     } else {
-      throw py::type_error(fmt::format("{}() has no argument {}; it takes {} and dtype", type, word, fmt::join(names, ", ")));
+      throw py::type_error(
+          fmt::format("{}() has no argument {}; it takes {} and dtype", type, word, fmt::join(names, ", ")));
     }
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -325,8 +329,8 @@ World world_of_arguments(const FieldArguments& arguments, bool are_rows) {
   const std::span<const FieldName> fields = fields_by_type[arguments.alternative];
   const Argument first{type_name_in_python(arguments.alternative), fields.front().name};
   const py::handle value = arguments.values.front();
-  const bool is_empty = PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::array>(value) &&
-                        PySequence_Size(value.ptr()) == 0;
+  const bool is_empty =
+      PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::array>(value) && PySequence_Size(value.ptr()) == 0;
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
   if (fields.front().kind == FieldKind::parts) {
     if (is_empty && arguments.dimension == 0) {
