@@ -13,4 +13,5 @@ near = graze.closest_points(left, right)
 print(f"{near.distance:.3f} apart, along {near.normal.round(3)}")
 
 impact = graze.shape_cast(left, [4, 0, 0], right)
-print(f"they meet at {impact.t:.3f} of the way")
+if impact:
+    print(f"they meet at {impact.t:.3f} of the way")

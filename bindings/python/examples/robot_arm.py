@@ -11,4 +11,5 @@ arm = graze.translated(graze.Compound(links), [0, 0, 1])
 print(f"{graze.distance(arm, table):.2f} above the table")
 down = graze.Motion(angular=[0, np.pi / 2, 0], center=[0, 0, 1])
 impact = graze.time_of_impact(arm, down, table)
-print(f"touches after {np.degrees(impact.t * np.pi / 2):.1f} degrees")
+if impact:
+    print(f"touches after {np.degrees(impact.t * np.pi / 2):.1f} degrees")
