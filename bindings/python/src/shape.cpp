@@ -111,7 +111,7 @@ class Hash {
     add(static_cast<std::uint64_t>(shape.index()));
     detail::visit(
         [this](const auto& held) {
-          detail::for_each_field(held, [this](const auto&, const auto& value) { add(value); });
+          detail::for_each_field(held, [this](const auto&, const auto& value) { this->add(value); });
         },
         shape);
   }

@@ -42,9 +42,6 @@ constexpr auto names_of = detail::description_of<S>.apply([](const auto&... fiel
 constexpr auto names_by_type = detail::table_of_shapes<2, float>(
     []<class S>(std::type_identity<S>) { return std::span<const std::string_view>(names_of<S>); });
 
-constexpr bool is_vector(FieldKind kind) {
-  return kind == FieldKind::point || kind == FieldKind::direction || kind == FieldKind::half_extents;
-}
 constexpr bool is_list_of_points(FieldKind kind) { return kind == FieldKind::hull || kind == FieldKind::vertices; }
 
 /// Whether a constructor may leave a field out.
