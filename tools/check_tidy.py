@@ -24,6 +24,7 @@ COMPILED_ELSEWHERE = {
     "bench/peers/peer_jolt.cpp": "the same where Jolt is",
     "tests/fuzz": "Clang, because only it has libFuzzer: ./dev test asan",
     "bindings/wasm/src": "Emscripten, whose headers clang-tidy cannot read: ./dev web",
+    "bindings/python/src": "the builds of the Python module: ./dev python",
     "tests/package/compiler": "the tests of compilers and their options",
     "tests/package/consumer": "the tests of the installed package",
 }

@@ -14,6 +14,9 @@ class DevTest(TreeTest):
     def setUp(self):
         super().setUp()
         shutil.copy(ROOT / "dev", self.tree / "dev")
+        (self.tree / "tools").mkdir(exist_ok=True)
+        for part in ("dev_mpi.sh", "dev_python.sh"):
+            shutil.copy(ROOT / "tools" / part, self.tree / "tools" / part)
         self.write_program("bin/cmake", 'echo "cmake $*" >&2')
 
     def write_program(self, path, body):
@@ -28,7 +31,7 @@ class DevTest(TreeTest):
     def test_help_names_every_command(self):
         done = self.dev("help")
         self.assertEqual(done.returncode, 0)
-        for command in ("demo", "test", "lint", "bench", "exam", "web", "clean", "help"):
+        for command in ("demo", "test", "lint", "bench", "exam", "web", "mpi", "python", "clean", "help"):
             self.assertRegex(done.stdout, rf"(?m)^  {command}\b")
 
     def test_an_unknown_command_is_told_the_known_ones(self):
@@ -114,6 +117,55 @@ class DevTest(TreeTest):
         self.assertIn("web: 1 of 4 tests failed", done.stderr)
         self.write_node(20, "")
         self.assertIn("the tests of wasm did not finish", self.dev("web", "test").stderr)
+
+    def test_mpi_builds_and_runs_the_tests_of_its_presets(self):
+        self.write_program("bin/ctest", 'echo "ctest $*"')
+        for words, preset in ((["test"], "mpi"), (["test", "asan"], "mpi-asan")):
+            done = self.dev("mpi", *words)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, rf"(?m)^cmake --build --preset {preset} ")
+            self.assertEqual(done.stdout, f"ctest --preset {preset}\n")
+
+    def test_mpi_refuses_other_words(self):
+        for words in ([], ["tests"], ["test", "tsan"], ["test", "asan", "more"]):
+            done = self.dev("mpi", *words)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("mpi", done.stderr)
+
+    def write_python(self, summary, status=0):
+        """A Python whose virtual environments print a summary of tests."""
+        self.write_program("inner", f'printf "{summary}"; exit {status}')
+        self.write_program("bin/python", """case "$*" in
+          *graze_build.py*) mkdir -p "$4"; touch "$4/graze-1.whl"; echo graze-1.whl ;;
+          *venv*) mkdir -p "$4/bin"; cp inner "$4/bin/python"; cp bin/cmake "$4/bin/pip" ;;
+        esac""")
+        return str(self.tree / "bin/python")
+
+    def test_python_builds_a_wheel_and_says_where_it_is(self):
+        done = self.dev("python", GRAZE_PYTHON=self.write_python(""))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("cmake --build --preset python-release", done.stderr)
+        self.assertRegex(done.stdout, r"^the wheel: /.*/build/python/dist/graze-1.whl\n$")
+
+    def test_python_counts_the_tests_of_the_installed_wheel(self):
+        done = self.dev("python", "test", GRAZE_PYTHON=self.write_python("Ran 12 tests in 3s\\n\\nOK\\n"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"cmake --build --preset python ")
+        self.assertEqual(done.stdout, "python: 12 tests passed\n")
+
+    def test_python_fails_when_a_test_fails_or_none_came_to_an_end(self):
+        python = self.write_python("FAIL: test_a\\nERROR: test_b\\nRan 12 tests in 3s\\n", 1)
+        done = self.dev("python", "test", GRAZE_PYTHON=python)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("python: 2 of 12 tests failed", done.stderr)
+        done = self.dev("python", "test", GRAZE_PYTHON=self.write_python("Segmentation fault", 139))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the tests of Python did not finish", done.stderr)
+
+    def test_python_refuses_other_words(self):
+        done = self.dev("python", "wheel")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("python takes the word test, but was given: wheel", done.stderr)
 
 
 if __name__ == "__main__":

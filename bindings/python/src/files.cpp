@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "files.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <graze/io/json_scene.hpp>
+#include <graze/io/log/query_log.hpp>
+#include <graze/io/log/side_by_side.hpp>
+#include <graze/io/replay.hpp>
+#include <graze/io/scene_file.hpp>
+#include <graze/io/scene_numbers.hpp>
+#include <graze/io/shape_numbers.hpp>
+#include <graze/io/svg.hpp>
+
+#include "results.hpp"
+#include "scenes.hpp"
+
+namespace graze::python {
+namespace {
+
+io::SceneFile file_of(const HeldScene& held) {
+  return std::visit(
+      [&]<Dim N, class T>(const Scene<N, T>& scene) {
+        return without_gil([&] {
+          const std::shared_lock lock(*held.lock);
+          return io::SceneFile{
+              io::scene_with_numbers<double>(scene), "", std::string(io::json_scene_schema), io::YAxis::up, {}};
+        });
+      },
+      held.any);
+}
+
+std::string drawn(const io::SceneFile& file) {
+  return without_gil([&] {
+    std::ostringstream out;
+    std::visit([&](const auto& scene) { io::write_svg(out, file, scene.pairs()); }, file.scene);
+    return out.str();
+  });
+}
+
+py::list texts_of(const std::vector<io::Omission>& omissions) {
+  py::list texts;
+  for (const io::Omission& omission : omissions) texts.append(io::omission_text(omission));
+  return texts;
+}
+
+py::object python_file(io::SceneFile file) {
+  static ResultClass file_class("SceneFile");
+  py::dict velocities;
+  std::visit(
+      [&]<Dim N>(const Scene<N, double>&) {
+        for (const auto& [id, velocity] : file.velocities) {
+          velocities[py::int_(packed(id))] = frozen_array<double>(&velocity[0], {static_cast<py::ssize_t>(N)});
+        }
+      },
+      file.scene);
+  const py::object scene =
+      std::visit([]<Dim N>(Scene<N, double>& read) { return python_scene<N, double>(std::move(read)); }, file.scene);
+  return file_class(scene, file.format, file.y_axis == io::YAxis::up ? "up" : "down", velocities,
+                    py::cast(file.warnings), texts_of(file.omissions));
+}
+
+std::filesystem::path path_of(const py::object& path) {
+  const auto text = py::reinterpret_steal<py::object>(PyOS_FSPath(path.ptr()));
+  if (!text) throw py::error_already_set();
+  return PyBytes_Check(text.ptr()) != 0 ? std::string(py::bytes(text)) : text.cast<std::string>();
+}
+
+py::object read_file(const py::object& path) {
+  const std::filesystem::path place = path_of(path);
+  return python_file(without_gil([&] { return io::read_scene(place); }));
+}
+
+py::object parse_text(const std::string& text, const std::string& source, const py::object& folder) {
+  const std::filesystem::path place = path_of(folder);
+  return python_file(without_gil([&] { return io::parse_scene(text, source, place); }));
+}
+
+std::string scene_text(const HeldScene& held) {
+  const io::SceneFile file = file_of(held);
+  std::ostringstream out;
+  io::write_json_scene(out, file);
+  return out.str();
+}
+
+template <Dim N>
+io::ReplayReport replayed(const io::QueryLog<N>& log) {
+  return io::replay<N>(log, io::library_targets<N>(log.numbers));
+}
+
+py::object replay_text(const std::string& text, const std::string& source) {
+  static ResultClass report_class("ReplayReport");
+  const io::ReplayReport report = without_gil([&] {
+    const io::AnyQueryLog log = io::parse_query_log(text, source);
+    return std::visit([](const auto& any) { return replayed(any); }, log);
+  });
+  return report_class(report.calls, report.differing);
+}
+
+}  // namespace
+
+std::string svg_of(const HeldScene& scene) { return drawn(file_of(scene)); }
+
+std::string svg_of_shape(const HeldShape& shape) {
+  return on_shape(shape, []<Dim N, class T>(const AnyShape<N, T>& any) {
+    Scene<N, double> scene;
+    scene.add(io::with_numbers<double, N, T>(any));
+    return drawn({std::move(scene), "", "", io::YAxis::up, {}});
+  });
+}
+
+void add_files(py::module_& module) {
+  module.def(
+      "read_scene", &read_file, py::arg("path"),
+      "Reads a scene file in any format that graze knows (JSON, CSV, Tiled), told apart by content: a SceneFile whose "
+      "scene has float64.");
+  module.def("parse_scene", &parse_text, py::arg("text"), py::arg("source") = "text", py::arg("folder") = ".",
+             "Reads a scene from text; `source` names it in messages.");
+  module.def("scene_json", &scene_text, py::arg("scene"), "A scene as a text in graze's format, docs/scene_format.md.");
+  module.def("replay", &replay_text, py::arg("text"), py::arg("source") = "log",
+             "Performs the calls of a query log (docs/query_log.md) again and compares the answers: a ReplayReport.");
+}
+
+}  // namespace graze::python

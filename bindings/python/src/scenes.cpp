@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "results.hpp"
+
+namespace graze::python {
+namespace {
+
+/// use(scene) with the scene to itself, without the GIL.
+template <class Use>
+auto change(HeldScene& held, const Use& use) {
+  return std::visit(
+      [&](auto& scene) {
+        return without_gil([&] {
+          const std::scoped_lock lock(*held.lock);
+          return use(scene);
+        });
+      },
+      held.any);
+}
+
+py::object new_scene(const py::object& dimension, const py::object& dtype) {
+  return in_world(world_of_words("Scene", dimension, dtype),
+                  []<Dim N, class T>(In<N, T>) { return python_scene<N, T>(Scene<N, T>()); });
+}
+
+/// The shape as one of the scene's world.
+template <Dim N, class T>
+const AnyShape<N, T>& fitting(const char* function, const HeldShape& shape) {
+  if (const auto* const any = std::get_if<AnyShape<N, T>>(&shape.any)) return *any;
+  const std::string facts = fmt::format("{}: shape is {}, the scene in {}D of {}", function, described(shape), N,
+                                        name_of_numbers(In<N, T>::world));
+  if (world_of(shape).dimension != N) throw py::value_error(facts);
+  throw py::type_error(facts + ": use astype");
+}
+
+/// Throws ValueError unless the shapes are of the scene's world.
+template <Dim N, class T>
+void require_world(const char* function, const py::object& shapes) {
+  const World world = world_of_shapes(function, shapes);
+  if (world == In<N, T>::world) return;
+  throw py::value_error(fmt::format("{}: the shapes are in {}D of {}, the scene in {}D of {}", function,
+                                    world.dimension, name_of_numbers(world), N, name_of_numbers(In<N, T>::world)));
+}
+
+/// Locks without keeping the GIL from others meanwhile. Whoever waits for the lock has let go of the GIL.
+std::unique_lock<std::shared_mutex> locked_with_gil(std::shared_mutex& mutex) {
+  std::unique_lock lock(mutex, std::try_to_lock);
+  if (!lock) without_gil([&lock] { lock.lock(); });
+  return lock;
+}
+
+/// The properties of an object as Python gives them.
+struct ObjectWords {
+  std::string name;
+  py::object layer;
+  py::object mask;
+  py::object user;
+  bool fixed;
+};
+
+std::uint64_t unsigned_of(Argument argument, const py::object& value) {
+  try {
+    return packed_of(argument, value);
+  } catch (const py::index_error&) {
+    throw py::value_error(argument.text() + " is not from 0 to 2^64 - 1");
+  }
+}
+
+/// Creates a layer that is named and does not exist. Called with the scene to itself.
+template <Dim N, class T>
+ObjectOptions options_of(Scene<N, T>& scene, const ObjectWords& words) {
+  ObjectOptions options;
+  options.name = words.name;
+  options.mask = mask_of("add", words.mask, scene.layer_names());
+  options.user = unsigned_of({"add", "user"}, words.user);
+  options.mobility = words.fixed ? Mobility::fixed : Mobility::moving;
+  if (PyUnicode_Check(words.layer.ptr()) != 0) {
+    options.layer = scene.layer(words.layer.cast<std::string>());
+    return options;
+  }
+  const std::uint64_t layer = unsigned_of({"add", "layer"}, words.layer);
+  if (layer >= max_layers)
+    throw py::value_error(fmt::format("add: layer is {}; there are {} layers", layer, max_layers));
+  options.layer = static_cast<Layer>(layer);
+  return options;
+}
+
+std::uint64_t add_object(HeldScene& held, const HeldShape& shape, const std::string& name, const py::object& layer,
+                         const py::object& mask, const py::object& user, bool fixed) {
+  const ObjectWords words{name, layer, mask, user, fixed};
+  return std::visit(
+      [&]<Dim N, class T>(Scene<N, T>& scene) {
+        const AnyShape<N, T>& any = fitting<N, T>("add", shape);
+        const auto lock = locked_with_gil(*held.lock);
+        const ObjectId id = scene.add(any, options_of(scene, words));
+        held.owner = id.owner;
+        return packed(id);
+      },
+      held.any);
+}
+
+py::array add_objects(HeldScene& held, const py::object& shapes, const py::object& layer, const py::object& mask,
+                      bool fixed) {
+  const ObjectWords words{"", layer, mask, py::int_(0), fixed};
+  return std::visit(
+      [&]<Dim N, class T>(Scene<N, T>& scene) {
+        require_world<N, T>("add_many", shapes);
+        const ShapeSpan<N, T> all("add_many", shapes);
+        const auto lock = locked_with_gil(*held.lock);
+        const ObjectOptions options = options_of(scene, words);
+        std::vector<ObjectId> ids;
+        for (const AnyShape<N, T>& shape : all.span()) ids.push_back(scene.add(shape, options));
+        if (!ids.empty()) held.owner = ids.front().owner;
+        return array_of_names<ObjectId>(ids);
+      },
+      held.any);
+}
+
+void move_object(HeldScene& held, const py::object& number, const HeldShape& shape) {
+  const ObjectId id = id_of("move", number, held.owner);
+  std::visit(
+      [&]<Dim N, class T>(Scene<N, T>& scene) {
+        const AnyShape<N, T>& any = fitting<N, T>("move", shape);
+        const auto lock = locked_with_gil(*held.lock);
+        scene.move(id, any);
+      },
+      held.any);
+}
+
+/// Moves objects to shapes that all have the type S; false if they have not.
+template <class S, Dim N, class T>
+bool move_to_type(Scene<N, T>& scene, std::span<const ObjectId> ids, std::span<const AnyShape<N, T>> shapes) {
+  std::vector<S> of_type;
+  of_type.reserve(shapes.size());
+  for (const AnyShape<N, T>& shape : shapes) {
+    const S* const held = std::get_if<S>(&shape);
+    if (held == nullptr) return false;
+    of_type.push_back(*held);
+  }
+  scene.move(ids, std::span<const S>(of_type));
+  return true;
+}
+
+template <Dim N, class T>
+void move_to_shapes(Scene<N, T>& scene, std::span<const ObjectId> ids, std::span<const AnyShape<N, T>> shapes) {
+  if (move_to_type<Sphere<N, T>>(scene, ids, shapes) || move_to_type<Obb<N, T>>(scene, ids, shapes) ||
+      move_to_type<Capsule<N, T>>(scene, ids, shapes) || move_to_type<Aabb<N, T>>(scene, ids, shapes)) {
+    return;
+  }
+  std::vector<ObjectMove<N, T>> moves;
+  moves.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) moves.push_back({ids[i], shapes[i]});
+  scene.move(std::span<const ObjectMove<N, T>>(moves));
+}
+
+/// To shapes, or to boxes as rows of an array.
+void move_objects(HeldScene& held, const py::object& numbers, const py::object& shapes) {
+  std::vector<ObjectId> ids;
+  for (const std::uint64_t number : all_packed_of({"move_many", "ids"}, numbers)) {
+    ids.push_back(unpacked<ObjectId>(number, held.owner));
+  }
+  const auto require_count = [&](std::size_t count) {
+    if (count == ids.size()) return;
+    throw py::value_error(fmt::format("move_many: there are {} ids and {} shapes", ids.size(), count));
+  };
+  std::visit(
+      [&]<Dim N, class T>(Scene<N, T>& scene) {
+        if (py::isinstance<py::array>(shapes)) {
+          const Rows rows =
+              rows_in({"move_many", "boxes"}, shapes, 2 * static_cast<std::size_t>(N), In<N, T>::world, "the scene");
+          require_count(rows.count);
+          without_gil([&] {
+            const std::scoped_lock lock(*held.lock);
+            scene.move(std::span<const ObjectId>(ids), rows.as<Aabb<N, T>>());
+          });
+          return;
+        }
+        if (ids.empty() && !is_boxed<HeldShapes>(shapes) && PySequence_Check(shapes.ptr()) != 0 && py::len(shapes) == 0)
+          return;
+        require_world<N, T>("move_many", shapes);
+        const ShapeSpan<N, T> all("move_many", shapes);
+        require_count(all.span().size());
+        without_gil([&] {
+          const std::scoped_lock lock(*held.lock);
+          move_to_shapes<N, T>(scene, ids, all.span());
+        });
+      },
+      held.any);
+}
+
+void remove_object(HeldScene& held, const py::object& number) {
+  const ObjectId id = id_of("remove", number, held.owner);
+  change(held, [&](auto& scene) { scene.remove(id); });
+}
+
+void except_pair(HeldScene& held, const py::object& a, const py::object& b) {
+  const ObjectId id_a = id_of("except_pair", a, held.owner);
+  const ObjectId id_b = id_of("except_pair", b, held.owner);
+  change(held, [&](auto& scene) { scene.except(id_a, id_b); });
+}
+
+void accept_pair(HeldScene& held, const py::object& a, const py::object& b) {
+  const ObjectId id_a = id_of("accept_pair", a, held.owner);
+  const ObjectId id_b = id_of("accept_pair", b, held.owner);
+  change(held, [&](auto& scene) { scene.accept(id_a, id_b); });
+}
+
+unsigned layer_named(HeldScene& held, const std::string& name) {
+  return change(held, [&](auto& scene) { return unsigned{scene.layer(name)}; });
+}
+
+py::object python_events(const SceneEvents& events) {
+  static ResultClass events_class("SceneEvents");
+  return events_class(array_of_name_pairs<ObjectPair>(events.began), array_of_name_pairs<ObjectPair>(events.stayed),
+                      array_of_name_pairs<ObjectPair>(events.ended));
+}
+
+py::object update_scene(HeldScene& held, const py::object& threads) {
+  const Threads used("update", threads);
+  return python_events(change(held, [&](auto& scene) -> SceneEvents { return scene.update(used.executor()); }));
+}
+
+py::object events_of(HeldScene& held) {
+  return python_events(change(held, [](auto& scene) -> SceneEvents { return scene.events(); }));
+}
+
+py::object snapshot_of(HeldScene& held) {
+  return std::visit(
+      [&]<Dim N, class T>(Scene<N, T>& scene) {
+        Snapshot<N, T> snapshot = without_gil([&] {
+          const std::scoped_lock lock(*held.lock);
+          return scene.snapshot();
+        });
+        return boxed(HeldView{std::move(snapshot), held.owner});
+      },
+      held.any);
+}
+
+}  // namespace
+
+LayerMask mask_of(const char* function, py::handle value, const std::vector<std::string>& names) {
+  if (value.is_none()) return all_layers;
+  const Argument argument{function, "layers"};
+  if (PyLong_Check(value.ptr()) != 0) return unsigned_of(argument, py::reinterpret_borrow<py::object>(value));
+  if (PySequence_Check(value.ptr()) == 0 || PyUnicode_Check(value.ptr()) != 0) {
+    throw py::type_error(fmt::format("{} is a {}; None, a mask, or a sequence of names and numbers is needed",
+                                     argument.text(), Py_TYPE(value.ptr())->tp_name));
+  }
+  LayerMask mask = 0;
+  for (const py::handle layer : py::tuple(py::reinterpret_borrow<py::object>(value))) {
+    std::uint64_t number = 0;
+    if (PyUnicode_Check(layer.ptr()) != 0) {
+      const auto word = layer.cast<std::string>();
+      const auto place = std::find(names.begin(), names.end(), word);
+      if (place == names.end())
+        throw py::value_error(fmt::format("{} names '{}', which is no layer", argument.text(), word));
+      number = static_cast<std::uint64_t>(place - names.begin());
+    } else {
+      number = unsigned_of(argument, py::reinterpret_borrow<py::object>(layer));
+    }
+    if (number >= max_layers)
+      throw py::value_error(fmt::format("{} has layer {}; there are {}", argument.text(), number, max_layers));
+    mask |= only_layer(static_cast<Layer>(number));
+  }
+  return mask;
+}
+
+template <Dim N, class T>
+py::object python_scene(Scene<N, T> scene) {
+  const std::vector<ObjectId> ids = scene.ids();
+  return boxed(HeldScene{std::move(scene), ids.empty() ? 0 : ids.front().owner});
+}
+
+void add_scenes(py::module_& module) {
+  TypeMaker view = TypeMaker::of<HeldView>(
+      module, "graze.SceneView", "A read-only copy of a scene, from Scene.snapshot: it has the queries of a Scene.");
+  view.no_constructor("a SceneView is made by Scene.snapshot");
+  TypeMaker scene = TypeMaker::of<HeldScene>(module, "graze.Scene",
+                                             "Scene(dimension=3, dtype=numpy.float64)\n--\n\nA world of shapes that "
+                                             "are added, moved and removed. Objects have ids: "
+                                             "integers that are never valid again after the object is removed.");
+  scene.constructor(&new_scene, py::arg("dimension") = 3, py::arg("dtype") = py::none());
+  const py::arg_v layer("layer", 0);
+  const py::arg_v mask("mask", py::none(), "None");
+  scene.method(
+      "add", &add_object, py::arg("shape"), py::kw_only(), py::arg("name") = "", layer, mask, py::arg("user") = 0,
+      py::arg("fixed") = false,
+      "Adds an object and returns its id. layer: a name or a number below 64; mask: the layers that it can touch, as "
+      "`layers` of queries; fixed objects are never a pair.");
+  scene.method("add_many", &add_objects, py::arg("shapes"), py::kw_only(), layer, mask, py::arg("fixed") = false,
+               "Adds shapes, without names, and returns their ids, (n,) of uint64.");
+  scene.method("move", &move_object, py::arg("id"), py::arg("shape"), "Replaces an object's shape.");
+  scene.method(
+      "move_many", &move_objects, py::arg("ids"), py::arg("shapes"),
+      "Replaces the shapes of many objects, or of none if one is not valid: by graze.Shapes, another sequence of "
+      "shapes, or boxes, (n, 2 * N).");
+  scene.method("remove", &remove_object, py::arg("id"), "Removes an object.");
+  scene.method("except_pair", &except_pair, py::arg("a"), py::arg("b"),
+               "From now on, the two objects are never a pair.");
+  scene.method("accept_pair", &accept_pair, py::arg("a"), py::arg("b"), "Undoes except_pair.");
+  scene.method("layer", &layer_named, py::arg("name"),
+               "The number of the layer with this name, created if there is none.");
+  scene.method("update", &update_scene, py::kw_only(), py::arg("threads") = py::none(),
+               "Finds the pairs that touch now, and how they changed since the last update: SceneEvents.");
+  scene.property("events", &events_of, "The events of the last update.");
+  scene.method("snapshot", &snapshot_of, "A read-only copy, for readers that keep it while the scene continues.");
+  scene.method("_repr_svg_", &svg_of, "A picture of the scene, its touching pairs highlighted.");
+  add_scene_queries(scene, view);
+  view.finish();
+  scene.finish();
+}
+
+template py::object python_scene(Scene<2, float>);
+template py::object python_scene(Scene<2, double>);
+template py::object python_scene(Scene<3, float>);
+template py::object python_scene(Scene<3, double>);
+
+}  // namespace graze::python

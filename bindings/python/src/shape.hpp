@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Shapes as Python objects: graze.Shape and a type derived from it for each alternative of AnyShape.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <graze/math/vec.hpp>
+#include <graze/shape/any_shape.hpp>
+
+#include "boxed.hpp"
+
+namespace graze::python {
+
+/// A dimension and number type, as a value.
+struct World {
+  Dim dimension = 3;
+  bool is_double = true;
+
+  friend bool operator==(const World&, const World&) = default;
+};
+
+/// The same as a type, passed to generic functions.
+template <Dim N, class T>
+struct In {
+  static constexpr World world = {N, sizeof(T) == sizeof(double)};
+};
+
+/// Returns use(In<N, T>()) for a dimension of 2 or 3.
+template <class Use>
+auto in_world(World world, const Use& use) {
+  if (world.dimension == 2) return world.is_double ? use(In<2, double>()) : use(In<2, float>());
+  return world.is_double ? use(In<3, double>()) : use(In<3, float>());
+}
+
+/// One value for each world; the alternatives are in the same order for all templates.
+template <template <Dim, class> class Value>
+using InAnyWorld = std::variant<Value<2, float>, Value<2, double>, Value<3, float>, Value<3, double>>;
+
+/// A valid shape of any world.
+struct HeldShape {
+  InAnyWorld<AnyShape> any;
+};
+
+template <>
+struct BoxedName<HeldShape> {
+  static constexpr auto name = py::detail::const_name("Shape");
+};
+
+/// The world of a shape.
+World world_of(const HeldShape& shape);
+
+/// "a Sphere in 3D of float64"
+std::string described(const HeldShape& shape);
+
+/// "float32" or "float64"
+constexpr std::string_view name_of_numbers(World world) { return world.is_double ? "float64" : "float32"; }
+
+/// The world's number type from the argument `dtype`: anything that numpy.dtype accepts and that is float32 or float64.
+/// Throws TypeError for any other.
+bool is_double_dtype(py::handle dtype);
+
+/// The names of the Python types, in the order of AnyShape.
+std::string_view type_name_in_python(std::size_t alternative);
+
+/// A new Python object of the type of the alternative. Throws ValueError, beginning with `role`, for a shape that is
+/// not valid: results can overflow.
+template <Dim N, class T>
+py::object python_shape(AnyShape<N, T> shape, std::string_view role);
+
+/// Calls use(shape_a, shape_b) for two shapes of one world. Throws ValueError for different dimensions, TypeError for
+/// different number types; the message begins with the name of the function.
+template <class Use>
+auto on_pair(const char* function, const HeldShape& a, const HeldShape& b, const Use& use);
+
+[[noreturn]] void refuse_pair(const char* function, const HeldShape& a, const HeldShape& b);
+
+template <class Use>
+auto on_pair(const char* function, const HeldShape& a, const HeldShape& b, const Use& use) {
+  if (a.any.index() != b.any.index()) refuse_pair(function, a, b);
+  return std::visit([&]<class Any>(const Any& in_a) { return use(in_a, *std::get_if<Any>(&b.any)); }, a.any);
+}
+
+template <class Use>
+auto on_shape(const HeldShape& shape, const Use& use) {
+  return std::visit(use, shape.any);
+}
+
+/// Whether queries on a shape may take long enough that other Python threads should run.
+template <Dim N, class T>
+bool is_large(const AnyShape<N, T>& shape) {
+  return std::holds_alternative<Mesh<N, T>>(shape) || std::holds_alternative<Compound<N, T>>(shape);
+}
+
+template <Dim N, class T>
+using ShapeList = std::vector<AnyShape<N, T>>;
+
+/// Many valid shapes of one world, in memory as batches need them.
+struct HeldShapes {
+  InAnyWorld<ShapeList> any;
+};
+
+template <>
+struct BoxedName<HeldShapes> {
+  static constexpr auto name = py::detail::const_name("Shapes");
+};
+
+/// The world of graze.Shapes, or of the first shape of a sequence. Throws TypeError for anything else, ValueError for
+/// an empty sequence.
+World world_of_shapes(const char* function, py::handle sequence);
+
+/// The shapes of a sequence, all of one world. Throws TypeError and ValueError, naming the first that does not fit.
+template <Dim N, class T>
+ShapeList<N, T> shapes_of(const char* function, py::handle sequence);
+
+/// The shapes of graze.Shapes, which are not copied, or of another sequence.
+template <Dim N, class T>
+class ShapeSpan {
+ public:
+  ShapeSpan(const char* function, py::handle sequence) {
+    if (is_boxed<HeldShapes>(sequence)) {
+      shapes_ = std::get<ShapeList<N, T>>(unboxed<HeldShapes>(sequence).any);
+    } else {
+      copied_ = shapes_of<N, T>(function, sequence);
+      shapes_ = copied_;
+    }
+  }
+  ShapeSpan(const ShapeSpan&) = delete;
+  ShapeSpan& operator=(const ShapeSpan&) = delete;
+
+  std::span<const AnyShape<N, T>> span() const { return shapes_; }
+
+ private:
+  ShapeList<N, T> copied_;
+  std::span<const AnyShape<N, T>> shapes_;
+};
+
+void add_shapes(py::module_& module);
+
+}  // namespace graze::python

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: MIT
+"""Scenes, meshes and files."""
+
+import pathlib
+import threading
+import unittest
+
+import graze
+import numpy as np
+from test_shapes import CUBE, FACES
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+
+
+class SceneTest(unittest.TestCase):
+    def test_events_follow_moves(self):
+        scene = graze.Scene()
+        ball = scene.add(graze.Sphere([0, 0, 1], 1), name="ball")
+        floor = scene.add(graze.HalfSpace([0, 0, 1], 0), name="floor", layer="ground", fixed=True)
+        events = scene.update()
+        self.assertEqual(events.began.tolist(), [[ball, floor]])
+        self.assertEqual(scene.pairs().tolist(), [[ball, floor]])
+        scene.move(ball, graze.Sphere([0, 0, 3], 1))
+        self.assertEqual(scene.update().ended.tolist(), [[ball, floor]])
+        self.assertEqual((scene.find("ball"), scene.object(floor).layer, len(scene)), (ball, 0, 2))
+        self.assertEqual(scene.layer_names, ["ground"])
+
+    def test_stale_and_foreign_ids_are_errors(self):
+        scene = graze.Scene()
+        ball = scene.add(graze.Sphere([0, 0, 0], 1))
+        scene.remove(ball)
+        for number in (ball, 0, 2**40, -1, 2**70):
+            with self.subTest(number), self.assertRaises(IndexError):
+                scene.object(number)
+        self.assertNotIn(ball, scene)
+        with self.assertRaises(TypeError):
+            scene.object("ball")
+        index = graze.Bvh()
+        key = index.insert([0, 0, 0, 1, 1, 1])
+        index.erase(key)
+        with self.assertRaises(IndexError):
+            index.box(key)
+
+    def test_arrays_move_many_objects_or_none(self):
+        centers = np.random.default_rng(2).random((200, 3)) * 20
+        scene = graze.Scene()
+        ids = scene.add_many(graze.Sphere.many(centers, np.ones(200)))
+        scene.move_many(ids, graze.Sphere.many(centers + 1, np.ones(200)))
+        np.testing.assert_array_equal(scene.object(int(ids[7])).shape.center, centers[7] + 1)
+        boxes = np.hstack([centers, centers + 1])
+        scene.move_many(ids, boxes)
+        np.testing.assert_array_equal(np.searchsorted(ids, scene.pairs()), graze.overlapping_pairs(boxes))
+        boxes[9, 0] = np.nan
+        with self.assertRaises(ValueError):
+            scene.move_many(ids, boxes)
+        self.assertEqual(scene.object(int(ids[0])).shape, graze.Aabb(centers[0], centers[0] + 1))
+
+    def test_queries_agree_with_those_on_two_shapes(self):
+        scene = graze.Scene()
+        near = graze.Sphere([3, 0, 0], 1)
+        ids = [scene.add(near), scene.add(graze.Capsule([9, 0, 0], [9, 5, 0], 1), layer=1)]
+        ray = graze.Ray([0, 0, 0], [1, 0, 0])
+        self.assertEqual(scene.ray_cast(ray), graze._results.ObjectHit(ids[0], graze.ray_cast(near, ray)))
+        self.assertEqual([hit.id for hit in scene.ray_cast_all(ray)], ids)
+        self.assertEqual(scene.ray_cast(ray, layers=[1]).id, ids[1])
+        self.assertEqual(scene.ray_cast(ray, excluding=[ids[0]]).id, ids[1])
+        self.assertIsNone(scene.ray_cast(ray, 1.5))
+        ball = graze.Sphere([0, 0, 0], 1)
+        self.assertEqual(scene.shape_cast(ball, [4, 0, 0]).impact, graze.shape_cast(ball, [4, 0, 0], near))
+        self.assertEqual(scene.nearest(ball, 5)[0].distance, graze.distance(ball, near))
+        self.assertEqual(scene.contacts_with(graze.Sphere([2, 0, 0], 1))[0].manifold,
+                         graze.manifold(graze.Sphere([2, 0, 0], 1), near))
+        snapshot = scene.snapshot()
+        scene.remove(ids[0])
+        self.assertEqual(snapshot.ray_cast(ray).id, ids[0])
+        self.assertEqual(len(scene.slide(ball, [20, 0, 0]).touches) > 0, True)
+
+    def test_threads_share_a_scene(self):
+        scene = graze.Scene()
+        ids = scene.add_many(graze.Sphere.many(np.zeros((50, 3)), np.ones(50)))
+        errors = []
+
+        def work(seed):
+            try:
+                for step in range(50):
+                    if seed == 0:
+                        scene.move_many(ids, graze.Sphere.many(np.full((50, 3), step), np.ones(50)))
+                        scene.update()
+                    elif len(scene.pairs()) != 50 * 49 // 2:
+                        errors.append("pairs")
+            except Exception as error:  # noqa: BLE001
+                errors.append(error)
+
+        workers = [threading.Thread(target=work, args=(seed,)) for seed in range(4)]
+        for worker in workers:
+            worker.start()
+        for worker in workers:
+            worker.join()
+        self.assertEqual(errors, [])
+
+    def test_scene_files_are_read_and_written(self):
+        file = graze.read_scene(ROOT / "data/workshop.json")
+        again = graze.parse_scene(graze.scene_json(file.scene)).scene
+        np.testing.assert_array_equal(again.pairs(), file.scene.pairs())
+        self.assertIn("<svg", file.scene._repr_svg_())
+        with self.assertRaises(graze.InputError):
+            graze.parse_scene("{", "broken.json")
+        with self.assertRaises(ValueError):
+            graze.read_scene("no such file")
+
+
+class MeshTest(unittest.TestCase):
+    def setUp(self):
+        self.cube = graze.Mesh(CUBE, FACES, kind="solid")
+
+    def test_batches_equal_single_queries(self):
+        points = np.random.default_rng(4).random((300, 3)) * 2 - 0.5
+        inside = ((points > 0) & (points < 1)).all(axis=1)
+        distances = graze.signed_distances(self.cube, points)
+        np.testing.assert_array_equal(distances < 0, inside)
+        np.testing.assert_array_equal(graze.contains(self.cube, points), inside)
+        np.testing.assert_array_equal(np.rint(graze.winding_numbers(self.cube, points)), inside)
+        nearest = graze.closest_points(self.cube, points, threads=1)
+        for i in range(20):
+            self.assertEqual(distances[i], graze.signed_distance(self.cube, points[i]))
+            np.testing.assert_array_equal(nearest[i], graze.closest_point(self.cube, points[i]))
+
+    def test_rays_of_a_batch_hit_as_single_ones_do(self):
+        random = np.random.default_rng(5)
+        rays = np.hstack([random.random((100, 3)) * 4 - 2, random.random((100, 3)) - 0.5])
+        hits = graze.ray_casts(self.cube, rays)
+        self.assertTrue(np.isfinite(hits.t).any() and np.isinf(hits.t).any())
+        for i, ray in enumerate(rays):
+            single = graze.ray_cast(self.cube, graze.Ray(ray[:3], ray[3:]))
+            self.assertEqual(single is None, np.isinf(hits.t[i]))
+            if single is None:
+                continue
+            self.assertEqual((single.t, -1 if single.face is None else single.face), (hits.t[i], hits.face[i]))
+            np.testing.assert_array_equal(hits.point[i], single.point)
+
+    def test_wrong_arrays_are_errors(self):
+        points = np.zeros((4, 3))
+        for error, text, call in [
+            (TypeError, "dtype float32", lambda: graze.signed_distances(self.cube, points.astype("float32"))),
+            (TypeError, "dtype int64", lambda: graze.overlapping_pairs(np.zeros((4, 6), dtype=int))),
+            (ValueError, "shape", lambda: graze.overlapping_pairs(np.zeros((4, 5)))),
+            (ValueError, "row 2", lambda: graze.signed_distances(self.cube, [[0, 0, 0], [0, 0, 0], [0, 0, np.nan]])),
+            (ValueError, "box", lambda: graze.overlapping_pairs(np.full((2, 6), np.nan))),
+            (IndexError, "", lambda: graze.touching_pairs([self.cube], [[0, 1]])),
+            (ValueError, "same dimension", lambda: graze.intersects(self.cube, graze.Sphere([0, 0], 1))),
+            (TypeError, "same dtype", lambda: graze.intersects(self.cube, self.cube.astype("float32"))),
+            (TypeError, "", lambda: graze.intersects(self.cube, 5)),
+            (ValueError, "threads", lambda: graze.signed_distances(self.cube, points, threads=0)),
+        ]:
+            with self.subTest(text), self.assertRaisesRegex(error, text):
+                call()
+
+    def test_reports_and_copies(self):
+        self.assertEqual(graze.report(self.cube).open_edges, 0)
+        self.assertEqual(graze.winding_number(self.cube, [0.5, 0.5, 0.5]), 1)
+        self.assertEqual(graze.mass_properties(self.cube).volume, 1)
+        moved = graze.moved(self.cube, np.array(CUBE) + 0.5)
+        self.assertGreater(len(graze.touching_faces(self.cube, moved)), 0)
+        self.assertEqual(len(graze.self_intersections(self.cube)), 0)
+        self.assertEqual(graze.transformed(self.cube, graze.Pose(np.eye(3), [0.5, 0.5, 0.5])), moved)
+        matrix = np.eye(4)
+        matrix[:3, 3] = 0.5
+        self.assertEqual(graze.transformed(self.cube, matrix), moved)
+
+
+if __name__ == "__main__":
+    unittest.main()
