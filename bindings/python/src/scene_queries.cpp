@@ -71,16 +71,6 @@ struct QueryWords {
   SceneQuery query;
 };
 
-/// A shape of the view's world. Throws for others.
-template <Dim N, class T>
-const AnyShape<N, T>& shape_in(const char* function, const HeldShape& shape) {
-  if (const auto* const any = std::get_if<AnyShape<N, T>>(&shape.any)) return *any;
-  const std::string facts = fmt::format("{}: shape is {}, the scene in {}D of {}", function, described(shape), N,
-                                        name_of_numbers(In<N, T>::world));
-  if (world_of(shape).dimension != N) throw py::value_error(facts);
-  throw py::type_error(facts + ": use astype");
-}
-
 template <Dim N, class T>
 const Ray<N, T>& ray_in(const char* function, const HeldShape& shape) {
   const auto* const ray = std::get_if<Ray<N, T>>(&shape_in<N, T>(function, shape));

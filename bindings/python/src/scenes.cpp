@@ -31,16 +31,6 @@ py::object new_scene(const py::object& dimension, const py::object& dtype) {
                   []<Dim N, class T>(In<N, T>) { return python_scene<N, T>(Scene<N, T>()); });
 }
 
-/// The shape as one of the scene's world.
-template <Dim N, class T>
-const AnyShape<N, T>& fitting(const char* function, const HeldShape& shape) {
-  if (const auto* const any = std::get_if<AnyShape<N, T>>(&shape.any)) return *any;
-  const std::string facts = fmt::format("{}: shape is {}, the scene in {}D of {}", function, described(shape), N,
-                                        name_of_numbers(In<N, T>::world));
-  if (world_of(shape).dimension != N) throw py::value_error(facts);
-  throw py::type_error(facts + ": use astype");
-}
-
 /// Throws ValueError unless the shapes are of the scene's world.
 template <Dim N, class T>
 void require_world(const char* function, const py::object& shapes) {
@@ -98,7 +88,7 @@ std::uint64_t add_object(HeldScene& held, const HeldShape& shape, const std::str
   const ObjectWords words{name, layer, mask, user, fixed};
   return std::visit(
       [&]<Dim N, class T>(Scene<N, T>& scene) {
-        const AnyShape<N, T>& any = fitting<N, T>("add", shape);
+        const AnyShape<N, T>& any = shape_in<N, T>("add", shape);
         const auto lock = locked_with_gil(*held.lock);
         const ObjectId id = scene.add(any, options_of(scene, words));
         held.owner = id.owner;
@@ -128,7 +118,7 @@ void move_object(HeldScene& held, const py::object& number, const HeldShape& sha
   const ObjectId id = id_of("move", number, held.owner);
   std::visit(
       [&]<Dim N, class T>(Scene<N, T>& scene) {
-        const AnyShape<N, T>& any = fitting<N, T>("move", shape);
+        const AnyShape<N, T>& any = shape_in<N, T>("move", shape);
         const auto lock = locked_with_gil(*held.lock);
         scene.move(id, any);
       },

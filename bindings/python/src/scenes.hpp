@@ -6,7 +6,12 @@
 #include <memory>
 #include <mutex>
 #include <shared_mutex>
+#include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include <graze/scene/object.hpp>
 #include <graze/scene/scene.hpp>
@@ -55,6 +60,16 @@ World world_of(const Snapshot<N, T>& /*snapshot*/) {
 /// A new Python object with a scene that may already have objects.
 template <Dim N, class T>
 py::object python_scene(Scene<N, T> scene);
+
+/// A shape as one of the scene's world. Throws ValueError for another dimension, TypeError for another dtype.
+template <Dim N, class T>
+const AnyShape<N, T>& shape_in(const char* function, const HeldShape& shape) {
+  if (const auto* const any = std::get_if<AnyShape<N, T>>(&shape.any)) return *any;
+  const std::string facts = fmt::format("{}: shape is {}, the scene in {}D of {}", function, described(shape), N,
+                                        name_of_numbers(In<N, T>::world));
+  if (world_of(shape).dimension != N) throw py::value_error(facts);
+  throw py::type_error(facts + ": use astype");
+}
 
 /// An id from Python.
 inline ObjectId id_of(std::string_view function, py::handle value, std::uint32_t owner) {
