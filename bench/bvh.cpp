@@ -4,10 +4,9 @@
 // region, the first box on a ray, and the nearest boxes. A library that lacks an operation does not take part in it.
 // All timed answers are compared; a wrong one makes the exit status 1. The contestants are in the folder beside this
 // file.
-#include <cctype>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,24 +15,7 @@
 
 #include "bvh/race.hpp"
 #include "bvh/table.hpp"
-
-namespace {
-
-/// "5000", "10k", "1M".
-std::size_t count_of(const std::string& text) {
-  std::size_t digits = 0;
-  while (digits < text.size() && digits < 9 && std::isdigit(static_cast<unsigned char>(text[digits])) != 0) ++digits;
-  const std::string suffix = text.substr(digits);
-  const std::size_t factor = suffix.empty() ? 1 : suffix == "k" ? 1'000 : suffix == "M" ? 1'000'000 : 0;
-  const std::size_t number = digits == 0 ? 0 : std::stoul(text.substr(0, digits));
-  const std::size_t count = number * factor;
-  if (count < 8 || count > 100'000'000) {
-    throw std::invalid_argument("\"" + text + "\" is no number of boxes; write 8, 10k or 1M, up to 100M");
-  }
-  return count;
-}
-
-}  // namespace
+#include "count_of.hpp"
 
 int main(int argc, char** argv) {
   std::vector<std::string> counts = {"10k", "100k"};
@@ -58,8 +40,9 @@ int main(int argc, char** argv) {
     bool is_right = true;
     for (const int dimension : dimensions) {
       for (const std::string& count : counts) {
+        const std::size_t number = bench::count_of(count, "boxes");
         const bench::RaceResult result =
-            dimension == 2 ? bench::race<2>(count_of(count), options) : bench::race<3>(count_of(count), options);
+            dimension == 2 ? bench::race<2>(number, options) : bench::race<3>(number, options);
         fmt::print("{}", bench::table_of(result));
         std::fflush(stdout);
         is_right = is_right && result.faults.empty();

@@ -43,6 +43,15 @@ if(TARGET graze_distributed)
           FILE graze-distributed-targets.cmake)
   install(FILES cmake/Findgraze_zoltan.cmake DESTINATION "${graze_package_dir}")
 endif()
+if(TARGET graze_c)
+  if(BUILD_SHARED_LIBS)
+    set_target_properties(graze_c PROPERTIES INSTALL_RPATH "$ORIGIN")
+  endif()
+  install(TARGETS graze_c EXPORT graze_c_targets)
+  install(EXPORT graze_c_targets NAMESPACE graze:: DESTINATION "${graze_package_dir}" FILE graze-c-targets.cmake)
+  install(FILES bindings/c/graze.h bindings/c/graze_types.h bindings/c/graze_scene.h
+          DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
 if(TARGET graze_mpi)
   install(TARGETS graze_mpi)
 endif()
@@ -62,6 +71,7 @@ if(TARGET graze_cli)
   install(FILES "${share}/_graze" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")
 endif()
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+include(graze_pkg_config)
 
 configure_package_config_file(
   cmake/graze-config.cmake.in "${PROJECT_BINARY_DIR}/graze-config.cmake" INSTALL_DESTINATION "${graze_package_dir}"
@@ -72,3 +82,9 @@ endif()
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/graze-config-version.cmake" COMPATIBILITY SameMinorVersion ${graze_arch})
 install(FILES "${PROJECT_BINARY_DIR}/graze-config.cmake" "${PROJECT_BINARY_DIR}/graze-config-version.cmake"
         DESTINATION "${graze_package_dir}")
+
+if(PROJECT_IS_TOP_LEVEL)
+  add_custom_target(
+    uninstall COMMAND "${CMAKE_COMMAND}" "-DMANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt" -P
+                      "${PROJECT_SOURCE_DIR}/cmake/graze_uninstall.cmake" VERBATIM)
+endif()

@@ -5,11 +5,24 @@
 #include <cstdlib>
 #include <new>
 
+#ifdef _WIN32
+#include <malloc.h>
+#endif
+
 namespace graze::test {
 
 thread_local HeapWatch heap_watch;
 
 namespace {
+
+// Windows has no aligned_alloc, whose memory std::free could release.
+#ifdef _WIN32
+void* aligned_memory(std::size_t bytes, std::size_t alignment) { return _aligned_malloc(bytes, alignment); }
+void release(void* memory, std::align_val_t) { _aligned_free(memory); }
+#else
+void* aligned_memory(std::size_t bytes, std::size_t alignment) { return std::aligned_alloc(alignment, bytes); }
+void release(void* memory, std::align_val_t) { std::free(memory); }
+#endif
 
 void* take_if_there_is_some(std::size_t bytes, std::size_t alignment = 1) noexcept {
   if (heap_watch.grants_left == 0) return nullptr;
@@ -17,7 +30,7 @@ void* take_if_there_is_some(std::size_t bytes, std::size_t alignment = 1) noexce
   ++heap_watch.requests;
   heap_watch.bytes += bytes;
   if (alignment <= alignof(std::max_align_t)) return std::malloc(bytes == 0 ? 1 : bytes);
-  return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+  return aligned_memory((bytes + alignment - 1) / alignment * alignment, alignment);
 }
 
 void* take(std::size_t bytes, std::size_t alignment = 1) {
@@ -48,7 +61,11 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete[](void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t alignment) noexcept { graze::test::release(memory, alignment); }
+void operator delete[](void* memory, std::align_val_t alignment) noexcept { graze::test::release(memory, alignment); }
+void operator delete(void* memory, std::size_t, std::align_val_t alignment) noexcept {
+  graze::test::release(memory, alignment);
+}
+void operator delete[](void* memory, std::size_t, std::align_val_t alignment) noexcept {
+  graze::test::release(memory, alignment);
+}

@@ -3,11 +3,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <string_view>
 #include <system_error>
-
-#include <unistd.h>
 
 namespace graze::test {
 
@@ -15,7 +14,7 @@ namespace graze::test {
 class ScratchFolder {
  public:
   explicit ScratchFolder(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() / (name + " " + std::to_string(static_cast<long>(getpid())))) {
+      : path_(std::filesystem::temp_directory_path() / (name + " " + std::to_string(std::random_device()()))) {
     std::filesystem::create_directories(path_);
   }
   ScratchFolder(const ScratchFolder&) = delete;

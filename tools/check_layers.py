@@ -21,11 +21,12 @@ GLM_DOOR = Path("graze/math/vec.hpp")
 MAX_LINES = 450
 
 SPDX = "SPDX-License-Identifier: MIT"
-SOURCES = [".hpp", ".cpp", ".cpp.in", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt", "dev", ".ci/run"]
+SOURCES = [".hpp", ".cpp", ".cpp.in", ".h", ".c", ".py", ".sh", ".cmake", ".cmake.in", "CMakeLists.txt", "dev", ".ci/run"]
 
 # Files without their own mirror test: the test file that covers them, and the reason. Parts of kernels (`-inl.hpp`) are
 # tested with the kernels.
 TESTED_ELSEWHERE = {
+    "graze/math/lanes/lane_vec.hpp": ("tests/query/closest/triangle_lanes_test.cpp", "used by the tests of triangles"),
     "graze/math/lanes/paired.hpp": ("tests/query/ray/filters_test.cpp", "used by the ray filters"),
     "graze/math/platform/compiler.hpp": ("tests/package/test_compiler.py", "refuses compilers and flags"),
     "graze/math/platform/export.hpp": ("tests/package/exports/test_exports.py", "what a shared library exports"),
@@ -35,10 +36,15 @@ TESTED_ELSEWHERE = {
     "graze/shape/mesh/flat_triangle.hpp": ("tests/shape/mesh_report_test.cpp", "counted by report"),
     "graze/shape/mesh/open_edges.hpp": ("tests/shape/mesh_report_test.cpp", "counted by report"),
     "graze/shape/mesh/placed_mesh.hpp": ("tests/shape/mesh_test.cpp", "what a mesh points to"),
+    "graze/shape/parts/reach_lanes.hpp": ("tests/shape/mesh_test.cpp", "the boxes of moved meshes"),
+    "graze/shape/parts/may_matter.hpp": ("tests/shape/parts/part_tree_test.cpp", "what a tree asks about its boxes"),
+    "graze/shape/parts/pieces.hpp": ("tests/shape/mesh_test.cpp", "the same mesh from every executor"),
     "graze/shape/parts/grown_box.hpp": ("tests/query/bounds_test.cpp", "touching_bounds"),
     "graze/query/contact/deciding_contact.hpp": ("tests/query/mesh_laws_test.cpp", "contacts of meshes"),
     "graze/query/faces/meeting_triangles.hpp": ("tests/broad/touching_faces_test.cpp", "faces that touch or cross"),
     "graze/query/mesh_hit.hpp": ("tests/query/mesh_laws_test.cpp", "the hits of meshes"),
+    "graze/query/parts/on_way.hpp": ("tests/query/winding_number_test.cpp", "faces on the way from a point"),
+    "graze/query/parts/may_be_near.hpp": ("tests/query/parts/visit_test.cpp", "which parts a point may be near to"),
     "graze/query/parts/inside.hpp": ("tests/query/mesh_laws_test.cpp", "what is inside a solid mesh"),
     "graze/query/ray/simple_shape.hpp": ("tests/query/ray_cast_test.cpp", "ray_cast where no filter decides"),
     "graze/query/scaling/mapped.hpp": ("tests/query/scaling/range_test.cpp", "shapes whose numbers are scaled"),
@@ -106,7 +112,33 @@ TESTED_ELSEWHERE = {
         ("tests/broad/touching_pairs_test.cpp", "invalid arguments, and equal results with any executor"),
     "graze/distributed/id_pair.hpp":
         ("tests/distributed/overlapping_pairs_test.cpp", "a struct without functions, returned by overlapping_pairs"),
+    "graze/scene/storage/hit_with_face.hpp": ("tests/scene/scene_ray_test.cpp", "ray casts of scenes"),
     "graze/scene/storage/meets_inflated.hpp": ("tests/scene/plain_scene_test.cpp", "the test of boxes for PlainScene"),
+    "graze/io/gltf/accessors.cpp": ("tests/io/gltf/reader_test.cpp", "the numbers of whole files"),
+    "graze/io/gltf/accessors.hpp": ("tests/io/gltf/reader_test.cpp", "the numbers of whole files"),
+    "graze/io/gltf/meshes.cpp": ("tests/io/gltf/reader_test.cpp", "the meshes of whole files"),
+    "graze/io/gltf/meshes.hpp": ("tests/io/gltf/reader_test.cpp", "the meshes of whole files"),
+    "graze/io/gltf/root.cpp": ("tests/io/gltf/reader_test.cpp", "the arrays of whole files"),
+    "graze/io/gltf/root.hpp": ("tests/io/gltf/reader_test.cpp", "the arrays of whole files"),
+    "graze/io/gltf/writer.cpp": ("tests/io/mesh_file_test.cpp", "what is written is read back"),
+    "graze/io/gltf/writer.hpp": ("tests/io/mesh_file_test.cpp", "what is written is read back"),
+    "graze/io/mesh/joined.cpp": ("tests/io/mesh_file_test.cpp", "used by the writers"),
+    "graze/io/mesh/joined.hpp": ("tests/io/mesh_file_test.cpp", "used by the writers"),
+    "graze/io/mesh/shared_triangles.hpp": ("tests/io/mesh_file_test.cpp", "meshes that are made solid and scaled"),
+    "graze/io/obj/writer.cpp": ("tests/io/mesh_file_test.cpp", "what is written is read back"),
+    "graze/io/obj/writer.hpp": ("tests/io/mesh_file_test.cpp", "what is written is read back"),
+    "graze/io/off/header.hpp": ("tests/io/off/reader_test.cpp", "the first word of whole files"),
+    "graze/io/off/writer.cpp": ("tests/io/mesh_file_test.cpp", "what is written is read back"),
+    "graze/io/off/writer.hpp": ("tests/io/mesh_file_test.cpp", "what is written is read back"),
+    "graze/io/ply/header.cpp": ("tests/io/ply/reader_test.cpp", "the headers of whole files"),
+    "graze/io/ply/header.hpp": ("tests/io/ply/reader_test.cpp", "the headers of whole files"),
+    "graze/io/ply/values.cpp": ("tests/io/ply/reader_test.cpp", "the numbers of whole files"),
+    "graze/io/ply/values.hpp": ("tests/io/ply/reader_test.cpp", "the numbers of whole files"),
+    "graze/io/ply/writer.cpp": ("tests/io/mesh_file_test.cpp", "what is written is read back"),
+    "graze/io/ply/writer.hpp": ("tests/io/mesh_file_test.cpp", "what is written is read back"),
+    "graze/io/stl/layout.hpp": ("tests/io/stl/reader_test.cpp", "constants"),
+    "graze/io/stl/writer.cpp": ("tests/io/mesh_file_test.cpp", "what is written is read back"),
+    "graze/io/stl/writer.hpp": ("tests/io/mesh_file_test.cpp", "what is written is read back"),
 }
 
 
@@ -120,11 +152,18 @@ def is_public(path):
     return path.suffix == ".hpp" and path.parts[0] == "graze" and len(path.parts) <= 3
 
 
+def is_of_cpp(name):
+    """Whether an include is a header of C++: of the project, or of the standard library, which has no suffix."""
+    return name.endswith(".hpp") or "." not in name
+
+
 def include_problem(root, path, name, quoted):
     """A problem of `#include name` in the file `path`, or None."""
     layer = layer_of(path)
     if name.startswith("glm/") and path.parts[0] == "graze" and path != GLM_DOOR:
         return f"includes GLM ({name}); only {GLM_DOOR} may; include that"
+    if path.suffix in (".h", ".c") and is_of_cpp(name):
+        return f"includes {name}, which is C++; the C interface may include C alone"
     if not name.startswith("graze/"):
         third_party = not quoted and ("/" in name or "." in name) and not name.startswith("glm/")
         if layer in GEOMETRY and third_party:
@@ -148,7 +187,7 @@ def include_problem(root, path, name, quoted):
 def check_includes(root, sources):
     problems = []
     for path in sources:
-        if not path.name.endswith((".hpp", ".cpp", ".cpp.in")):
+        if not path.name.endswith((".hpp", ".cpp", ".cpp.in", ".h", ".c")):
             continue
         for line, name, quoted in includes((root / path).read_text(encoding="utf-8")):
             problem = include_problem(root, path, name, quoted)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs clang-tidy on the sources of the library and the program and on the examples, which include all headers; with
+"""Runs clang-tidy on the sources of the library, its C interface and the program and on the examples, which include all headers; with
 --all also on tests, benchmarks and recipes, which are several times as many files. All batches (GRAZE_UNITY) of a target
 are checked as one unit, and so are all examples, so that their headers are parsed only once. A unit is checked again only
 if one of its files, a project file that it includes, its command or the configuration has changed."""
@@ -19,6 +19,9 @@ from project_files import ROOT, includes, project_files
 
 # Folders and files that the lint build does not compile, and what compiles them.
 COMPILED_ELSEWHERE = {
+    "apps/cli/system_windows.cpp": "./dev cross windows",
+    "bench/python": "./dev bench python",
+    "packaging/conan/test_package": "Conan",
     "bench/contact/of_jolt.cpp": "the benchmarks where Jolt is installed, which Debian has no package of",
     "bench/peers/peer_box2d_v3.cpp": "the same where Box2D 3 is",
     "bench/peers/peer_jolt.cpp": "the same where Jolt is",
@@ -59,8 +62,12 @@ def units_of(root, build):
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
         file = Path(entry["file"])
         flags = flags_of(entry["command"])
-        if file.is_relative_to(build) and file.parent.name == "Unity":
+        if file.is_relative_to(build) and file.parent.name in ("Unity", "together"):
             included = [Path(name).relative_to(root) for _, name, _ in includes(file.read_text(encoding="utf-8"))]
+            if file.parent.name == "together":  # examples; or a program that calls the main of one
+                if included:
+                    programs.setdefault((flags, included[0].parent), []).extend(included)
+                continue
             # There are too many tests for one unit in memory.
             batches.setdefault((flags, "" if is_looked_at_always(included[0]) else file), []).extend(included)
         elif file.is_relative_to(root) and file.stem != "cmake_pch.hxx":  # includes files that CMake generates from templates
@@ -79,8 +86,8 @@ def units_of(root, build):
 
 
 def is_looked_at_always(path):
-    """Library, program and examples. The examples include headers that no source of the library includes."""
-    return path.parts[0] in ("graze", "apps") or path.parent == Path("examples")
+    """Library, C interface, program and examples. The examples include headers that no source of the library includes."""
+    return path.parts[0] in ("graze", "apps") or path.parent in (Path("bindings/c/src"), Path("examples"))
 
 
 def configuration_for(root, build, path):
@@ -127,9 +134,10 @@ def main():
                 file = Path(scratch) / "sources.cpp"
                 file.write_text(unit.text, encoding="utf-8")
                 command.append("--checks=-bugprone-suspicious-include")  # a batch includes sources on purpose
-            # The commands may be for another compiler, with warnings that clang does not know.
-            done = subprocess.run([*command, file, "--", *unit.flags, "-Wno-unknown-warning-option"], cwd=build,
-                                  capture_output=True, text=True, check=False)
+            # The commands may be for another compiler, with warnings that clang does not know. Highway's kernels include
+            # themselves for each instruction set, and one of them suffices.
+            flags = [*unit.flags, "-Wno-unknown-warning-option", "-DHWY_COMPILE_ONLY_STATIC"]
+            done = subprocess.run([*command, file, "--", *flags], cwd=build, capture_output=True, text=True, check=False)
         return "" if done.returncode == 0 else done.stdout or done.stderr
 
     failed, looked_at = ContentCache(root / "build" / "cache" / "tidy").run(checks, tidy)

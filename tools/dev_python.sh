@@ -2,13 +2,14 @@
 # The command `python` of ./dev, which includes this file. It uses the system's Python, which has Debian's NumPy; the
 # first one in the PATH may be another.
 
+python_bench_packages=(python3-scipy python3-shapely python3-open3d)
 system_python=${GRAZE_PYTHON:-/usr/bin/python3}
 
 # pack_wheel PRESET FOLDER: packs the module that a preset has built in build/PRESET, and prints the path of the wheel.
 pack_wheel() {
   local name
   rm -f "$2"/graze-*.whl
-  name=$("$system_python" -B bindings/python/graze_build.py "build/$1/python/graze" "$2") || fail "packing the wheel failed, see above"
+  name=$("$system_python" -B bindings/python/graze_build.py "build/$1" "$2") || fail "packing the wheel failed, see above"
   echo "$2/$name"
 }
 
@@ -50,6 +51,15 @@ run_python_tests() {
     fail "python: $failed of $all tests failed"
   fi
   echo "python: $all tests passed"
+}
+
+# bench_python [OPTION...]: compares the wheel's module with C++ and with other libraries of Python, on the same arrays.
+bench_python() {
+  need "build the benchmarks of Python" "${build_packages[@]}" "${python_packages[@]}" "${python_bench_packages[@]}"
+  configure python-release "${build_packages[@]}" "${python_packages[@]}"
+  build python-bench
+  step "bench/python/table.py $*"
+  PYTHONPATH=build/release/python:build/release/bench/python "$system_python" -B bench/python/table.py "$@"
 }
 
 # run_python [test]

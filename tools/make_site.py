@@ -30,9 +30,11 @@ EXPORTED = ["broad/grid/cells.hpp", "broad/index/key_table.hpp", "broad/index/re
 THEME = Path("/usr/share/doxygen-awesome-css")
 VIEWER = Path("viewer/index.html")
 # The order of the guide in the site's navigation.
-GUIDE = ["docs/cookbook/README.md", "docs/cli.md", "docs/scene_format.md", "docs/tiled.md", "docs/query_log.md", "docs/viewer.md",
-         "docs/web.md", "docs/distributed.md", "docs/accuracy.md", "docs/performance.md", "docs/benchmarks.md",
-         "docs/benchmarks_engines.md", "docs/architecture.md"]
+GUIDE = ["docs/cookbook/README.md", "docs/cli.md", "docs/scene_format.md", "docs/tiled.md", "docs/mesh_formats.md",
+         "docs/query_log.md", "docs/viewer.md", "docs/web.md", "docs/python.md", "docs/c.md", "docs/packages.md",
+         "docs/platforms.md", "docs/distributed.md",
+         "docs/accuracy.md", "docs/performance.md", "docs/benchmarks.md", "docs/benchmarks_engines.md",
+         "docs/architecture.md"]
 
 _FENCE = re.compile(r"^ *```")
 _HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*$")

@@ -22,6 +22,7 @@
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/scene_generators.hpp>
+#include <graze/io/file/utf8_path.hpp>
 #include <graze/io/recording.hpp>
 
 #include "bench_report.hpp"
@@ -260,7 +261,7 @@ void measure_world(const Plan& plan, BenchReport& report, const WorldArgument& w
 void measure_file(const Plan& plan, BenchReport& report, const std::string& name) {
   report.source = name;
   if (file_ending(name) == ".aabbs") {
-    io::RecordingReader recording(name);
+    io::RecordingReader recording(io::path_from_utf8(name));
     if (recording.head().dimension() == 2) return measure_recording<2>(plan, report, recording);
     return measure_recording<3>(plan, report, recording);
   }

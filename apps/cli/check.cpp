@@ -40,6 +40,7 @@ struct CheckArguments {
   std::optional<std::string> html;
   CheckedPairs pairs;
   bool fail_on_contact = false;
+  io::SceneReading reading;
   bool strict = false;
 };
 
@@ -128,7 +129,7 @@ ExitCode run_check(const CheckArguments& arguments) {
   require_separate_files(arguments);
   std::string page = arguments.html ? read_report_template() : "";
   Progress progress("reading the scene");
-  const io::SceneFile file = read_input(arguments.scene);
+  const io::SceneFile file = read_input(arguments.scene, arguments.reading);
   progress.stop();
   tell_omissions(file, arguments.strict);
 
@@ -156,15 +157,16 @@ ExitCode run_check(const CheckArguments& arguments) {
 }
 
 constexpr const char* check_footer =
-    R"(SCENE is a scene in graze's JSON or CSV, or a Tiled map (.tmx, .tmj), recognized
-by content. Pairs are in the scene's order. Shapes that touch without overlapping count.
-A table and CSV have a row for each contact point of a pair.
+    R"(SCENE is a scene in graze's JSON or CSV, a Tiled map (.tmx, .tmj), or a mesh file (.glb, .gltf,
+.stl, .obj, .ply, .off), recognized by content. Pairs are in the scene's order. Shapes that touch
+without overlapping count. A table and CSV have a row for each contact point of a pair.
 
 Examples:
   graze check level.tmx
   graze check --interior --format csv chip.csv > overlaps.csv
   graze check --contacts --format json level.tmx
   graze check --within 0.5 machine.json
+  graze check engine.glb
   graze check --output report.json --format json --svg picture.svg level.tmx
   graze check --html report.html level.tmx
   generate | graze check --fail-on-contact -
@@ -197,6 +199,7 @@ Command add_check(CLI::App& program) {
       ->type_name("FILE")
       ->take_last();
   app->add_flag("--fail-on-contact", arguments->fail_on_contact, "End with exit code 1 if a pair is reported");
+  add_solid(*app, arguments->reading);
   add_strict(*app, arguments->strict);
   app->footer(check_footer);
   return {app, [arguments] { return run_check(*arguments); }};

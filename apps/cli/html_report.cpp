@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 #include <ostream>
 #include <string_view>
@@ -13,12 +12,15 @@
 
 #include <fmt/format.h>
 
+#include <graze/io/file/utf8_path.hpp>
 #include <graze/io/file/whole_file.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/json_scene.hpp>
 #include <graze/io/text/file_name.hpp>
 #include <graze/io/text/in_quotes.hpp>
 #include <graze/io/text/quoting.hpp>
+
+#include "system.hpp"
 
 namespace graze::cli {
 namespace {
@@ -30,16 +32,9 @@ constexpr std::string_view data_place = R"(<script type="application/json" id="g
 
 constexpr const char* template_variable = "GRAZE_REPORT_TEMPLATE";
 
-/// The folder of the running program; empty if the system does not report it.
-fs::path program_folder() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : program.parent_path();
-}
-
 std::vector<fs::path> places_to_look() {
-  if (const char* const named = std::getenv(template_variable); named != nullptr && *named != '\0') return {named};
-  const fs::path folder = program_folder();
+  if (const std::string named = environment(template_variable); !named.empty()) return {io::path_from_utf8(named)};
+  const fs::path folder = program_path().parent_path();
   if (folder.empty()) return {};
   return {(folder / "../share/graze/report.html").lexically_normal(),
           (folder / "../../web/viewer/report.html").lexically_normal()};
@@ -65,18 +60,18 @@ std::string read_report_template() {
     if (!fs::exists(place, error)) continue;
     if (fs::is_directory(place, error)) {
       throw io::InputError(fmt::format("{} is a folder; {} must name a file, the report.html that `./dev web` builds",
-                                       io::in_quotes(place.string()), template_variable));
+                                       io::in_quotes(io::utf8_from_path(place)), template_variable));
     }
     std::string page = io::read_whole_file(place, "the template");
     if (page.find(data_place) != std::string::npos) return page;
     throw io::InputError(
         fmt::format("{} is not a report template: it has no place for data; run `./dev web` to "
                     "build one",
-                    io::in_quotes(place.string())));
+                    io::in_quotes(io::utf8_from_path(place))));
   }
   std::string looked;
   for (const fs::path& place : places) {
-    looked += fmt::format("{}{}", looked.empty() ? "" : " and ", io::in_quotes(place.string()));
+    looked += fmt::format("{}{}", looked.empty() ? "" : " and ", io::in_quotes(io::utf8_from_path(place)));
   }
   throw io::InputError(
       fmt::format("there is no template for HTML reports{}{}; run `./dev web` to build it, or name one "

@@ -23,6 +23,7 @@ enum class InfoFormat { table, json };
 struct InfoArguments {
   std::string scene;
   std::string format = "table";
+  io::SceneReading reading;
   bool strict = false;
 };
 
@@ -32,7 +33,7 @@ constexpr std::array<std::pair<std::string_view, InfoFormat>, 2> info_formats{
 ExitCode run_info(const InfoArguments& arguments) {
   const InfoFormat format = chosen("--format", arguments.format, info_formats);
   Progress progress("reading the scene");
-  const io::SceneFile file = read_input(arguments.scene);
+  const io::SceneFile file = read_input(arguments.scene, arguments.reading);
   const io::SceneSummary summary = io::summarise(file);
   progress.stop();
   arguments.strict ? refuse_omissions(file) : say_warnings(file);
@@ -46,11 +47,14 @@ ExitCode run_info(const InfoArguments& arguments) {
   return done;
 }
 
-constexpr const char* info_footer = R"(Sizes are the largest extents of the objects' boxes.
+constexpr const char* info_footer =
+    R"(Sizes are the largest extents of the objects' boxes. Edges and components of meshes are counted
+after equal vertices have been joined.
 
 Examples:
   graze info level.tmx
   graze info --format json chip.csv
+  graze info engine.glb
 
 Exit codes: 0 done; 2 wrong usage; 3 bad input, or an output that cannot be written)";
 
@@ -61,6 +65,7 @@ Command add_info(CLI::App& program) {
   const auto arguments = std::make_shared<InfoArguments>();
   app->add_option("SCENE", arguments->scene, "Scene file, or - for the standard input")->required()->type_name("");
   app->add_option("--format", arguments->format, "table (the default) or json")->type_name("FORMAT")->take_last();
+  add_solid(*app, arguments->reading);
   add_strict(*app, arguments->strict);
   app->footer(info_footer);
   return {app, [arguments] { return run_info(*arguments); }};

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <graze/io/file/utf8_path.hpp>
 #include <graze/io/file/whole_file.hpp>
 #include <graze/io/input_error.hpp>
 
@@ -40,17 +41,22 @@ std::string standard_input() {
 
 }  // namespace
 
-io::SceneFile read_input(const std::string& name) {
-  if (!is_standard_stream(name)) return io::read_scene(name);
+io::SceneFile read_input(const std::string& name, const io::SceneReading& reading) {
+  if (!is_standard_stream(name)) return io::read_scene(io::path_from_utf8(name), reading);
   io::SceneFile file =
-      io::parse_scene(standard_input(), std::string(standard_input_name), std::filesystem::current_path());
+      io::parse_scene(standard_input(), std::string(standard_input_name), std::filesystem::current_path(), reading);
   file.source = name;
   return file;
 }
 
+io::MeshFile read_mesh_input(const std::string& name) {
+  if (!is_standard_stream(name)) return io::read_meshes(io::path_from_utf8(name));
+  return io::parse_meshes(standard_input(), std::string(standard_input_name), std::filesystem::current_path());
+}
+
 io::AnyQueryLog read_log(const std::string& name) {
   if (is_standard_stream(name)) return io::parse_query_log(standard_input(), "standard input");
-  return io::parse_query_log(io::read_whole_file(name, "the log"), name);
+  return io::parse_query_log(io::read_whole_file(io::path_from_utf8(name), "the log"), name);
 }
 
 std::string name_of(const io::SceneFile& file) {
@@ -72,6 +78,12 @@ void tell_omissions(const io::SceneFile& file, bool strict) {
   if (strict) refuse_omissions(file);
   say_warnings(file);
   for (const io::Omission& omission : file.omissions) say("not read: " + io::omission_text(omission));
+}
+
+void add_solid(CLI::App& app, io::SceneReading& reading) {
+  app.add_flag_callback(
+      "--solid", [&reading] { reading.meshes = MeshKind::solid; },
+      "Closed meshes of a mesh file are solids, not surfaces");
 }
 
 void add_strict(CLI::App& app, bool& strict) {

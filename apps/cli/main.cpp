@@ -3,23 +3,23 @@
 // an exit code.
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <new>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <graze/io/file/temporary_file.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/output_error.hpp>
 
 #include "command.hpp"
 #include "output.hpp"
+#include "system.hpp"
 #include "terminal.hpp"
 #include "usage.hpp"
 
@@ -57,7 +57,7 @@ ExitCode refuse(const CLI::App& program, const UsageError& error) {
   return usage_error;
 }
 
-ExitCode run(int argc, const char* const* argv) {
+ExitCode run(const std::vector<std::string>& arguments) {
   CLI::App program("Collision detection for 2D and 3D scenes", "graze");
 
   const auto formatter = program.get_formatter();
@@ -73,7 +73,10 @@ ExitCode run(int argc, const char* const* argv) {
       add_info(program),  add_convert(program), add_bench(program), add_generate(program), add_pairs(program)};
   for (const Command& command : commands) command.app->group("Commands");
   try {
-    program.parse(argc, argv);
+    std::vector<const char*> words;
+    words.reserve(arguments.size());
+    for (const std::string& argument : arguments) words.push_back(argument.c_str());
+    program.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::CallForVersion&) {
     write_text("graze " GRAZE_VERSION);
     return done;
@@ -96,35 +99,10 @@ ExitCode run(int argc, const char* const* argv) {
   }
 }
 
-/// Removes incomplete files and lets the signal end the program as usual.
-extern "C" void end_by_signal(int signal) {
-  io::remove_temporary_files();
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
-/// Ignored signals, as under nohup, stay ignored.
-void clean_up_on_signals() {
-  for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU}) {
-    struct sigaction action {};
-    if (sigaction(number, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
-    action.sa_handler = end_by_signal;
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
-    sigaction(number, &action, nullptr);
-  }
-}
-
-/// Ends like a program whose reader has closed the pipe, so that a shell sees the usual code.
-[[noreturn]] void die_of_closed_pipe() {
-  std::signal(SIGPIPE, SIG_DFL);
-  std::raise(SIGPIPE);
-  std::_Exit(128 + SIGPIPE);
-}
-
 /// Runs the program and prints errors.
-ExitCode run_and_report(int argc, const char* const* argv) {
+ExitCode run_and_report(const std::vector<std::string>& arguments) {
   try {
-    return run(argc, argv);
+    return run(arguments);
   } catch (const io::InputError& error) {
     say_error(error.what());
     return bad_input;
@@ -147,14 +125,9 @@ ExitCode run_and_report(int argc, const char* const* argv) {
 }  // namespace graze::cli
 
 int main(int argc, char** argv) {
-  // Writing to a closed pipe, or beyond the maximum size of a file, must return an error, so that it is reported and
-  // temporary files are removed.
-  std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGXFSZ, SIG_IGN);
-  graze::cli::clean_up_on_signals();
-  graze::cli::claim_standard_streams();
+  graze::cli::prepare_process();
   try {
-    return graze::cli::run_and_report(argc, argv);
+    return graze::cli::run_and_report(graze::cli::arguments_in_utf8(argc, argv));
   } catch (const graze::cli::ClosedPipe&) {
     graze::cli::die_of_closed_pipe();
   } catch (...) {

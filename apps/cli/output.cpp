@@ -13,11 +13,12 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <graze/io/file/atomic_file.hpp>
+#include <graze/io/file/utf8_path.hpp>
 #include <graze/io/output_error.hpp>
 
+#include "system.hpp"
 #include "usage.hpp"
 
 namespace graze::cli {
@@ -48,7 +49,7 @@ class StandardOutput final : public std::streambuf {
     const char* const end = pptr();
     make_room();  // before a possible failure: bytes that could not be written are not written again
     while (next != end) {
-      const ssize_t count = ::write(STDOUT_FILENO, next, static_cast<std::size_t>(end - next));
+      const std::ptrdiff_t count = write_to_output(next, static_cast<std::size_t>(end - next));
       if (count >= 0) {
         next += count;
       } else if (errno == EPIPE) {
@@ -68,10 +69,12 @@ bool is_standard_stream(const std::string& name) { return name == "-"; }
 
 bool name_same_file(const std::string& a, const std::string& b) {
   if (is_standard_stream(a) || is_standard_stream(b)) return a == b;
+  const std::filesystem::path path_a = io::path_from_utf8(a);
+  const std::filesystem::path path_b = io::path_from_utf8(b);
   std::error_code error;
-  if (std::filesystem::equivalent(a, b, error)) return true;
-  return std::filesystem::absolute(a, error).lexically_normal() ==
-         std::filesystem::absolute(b, error).lexically_normal();
+  if (std::filesystem::equivalent(path_a, path_b, error)) return true;
+  return std::filesystem::absolute(path_a, error).lexically_normal() ==
+         std::filesystem::absolute(path_b, error).lexically_normal();
 }
 
 void require_not_overwritten(const std::string& scene, const std::string& output) {
@@ -81,7 +84,7 @@ void require_not_overwritten(const std::string& scene, const std::string& output
 
 void write_output(const std::string& target, const std::function<void(std::ostream&)>& write) {
   if (!is_standard_stream(target)) {
-    io::write_atomically(target, write);
+    io::write_atomically(io::path_from_utf8(target), write);
     return;
   }
   StandardOutput buffer;

@@ -2,21 +2,11 @@
 #include "page_server.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cstddef>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <sys/time.h>
-#include <unistd.h>
-
-#include <graze/io/output_error.hpp>
 
 namespace graze::cli {
 namespace {
@@ -24,38 +14,15 @@ namespace {
 /// Longer than any browser's request for a page.
 constexpr std::size_t longest_request = 65536;
 
-/// Clients that send nothing for this long are dropped, so that others need not wait.
-constexpr timeval patience{.tv_sec = 5, .tv_usec = 0};
-
-[[noreturn]] void refuse(std::string_view what) {
-  throw io::OutputError(fmt::format("a page cannot be served on 127.0.0.1: {}: {}", what, std::strerror(errno)));
-}
-
-/// The socket interface takes addresses of every family by a pointer to their common part.
-sockaddr* general(sockaddr_in& address) {
-  return reinterpret_cast<sockaddr*>(&address);  // NOLINT(cppcoreguidelines-pro-type-reinterpret-cast)
-}
-
 /// The request up to the empty line; less if the client stops early or sends too much.
-std::string read_request(int connection) {
+std::string read_request(const Connection& connection) {
   std::string request;
-  std::array<char, 4096> block{};
   while (request.find("\r\n\r\n") == std::string::npos && request.size() < longest_request) {
-    const ssize_t count = ::recv(connection, block.data(), block.size(), 0);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) break;
-    request.append(block.data(), static_cast<std::size_t>(count));
+    const std::string received = connection.receive();
+    if (received.empty()) break;
+    request += received;
   }
   return request;
-}
-
-void send_all(int connection, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::send(connection, text.data(), text.size(), MSG_NOSIGNAL);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return;  // the client has closed the connection
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
 }
 
 std::string reply(std::string_view status, std::string_view type, std::string_view body) {
@@ -79,52 +46,22 @@ std::string_view host_of(std::string_view request) {
 
 }  // namespace
 
-PageServer::PageServer(std::string page)
-    : page_(std::move(page)), listener_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-  if (listener_ < 0) refuse("no socket");
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  const bool listens = ::bind(listener_, general(address), size) == 0 && ::listen(listener_, 16) == 0 &&
-                       ::getsockname(listener_, general(address), &size) == 0;
-  if (!listens) {
-    const int error = errno;
-    ::close(listener_);
-    errno = error;
-    refuse("no port to listen on");
-  }
-  port_ = ntohs(address.sin_port);
-}
+PageServer::PageServer(std::string page) : page_(std::move(page)) {}
 
-PageServer::~PageServer() { ::close(listener_); }
-
-std::string PageServer::address() const { return fmt::format("http://127.0.0.1:{}/", port_); }
+std::string PageServer::address() const { return fmt::format("http://127.0.0.1:{}/", listener_.port()); }
 
 void PageServer::serve() {
   for (;;) {
-    const int connection = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
-    if (connection >= 0) {
-      answer(connection);
-      ::close(connection);
-    } else if (errno != EINTR && errno != ECONNABORTED) {
-      refuse("no connection");
-    }
+    const Connection connection = listener_.accept();
+    const std::string request = read_request(connection);
+    if (!request.empty()) connection.send(reply_to(request));  // browsers open connections in advance
   }
-}
-
-void PageServer::answer(int connection) const {
-  ::setsockopt(connection, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-  ::setsockopt(connection, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
-  const std::string request = read_request(connection);
-  if (request.empty()) return;  // browsers open connections in advance
-  send_all(connection, reply_to(request));
 }
 
 std::string PageServer::reply_to(const std::string& request) const {
   constexpr std::string_view text = "text/plain";
   const std::string_view host = host_of(request);
-  if (host != fmt::format("127.0.0.1:{}", port_) && host != fmt::format("localhost:{}", port_)) {
+  if (host != fmt::format("127.0.0.1:{}", listener_.port()) && host != fmt::format("localhost:{}", listener_.port())) {
     return reply("403 Forbidden", text, "This page is shown at " + address() + " only.\n");
   }
   const std::string_view line = std::string_view(request).substr(0, request.find("\r\n"));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <string>
+
+#include "connection.hpp"
 
 namespace graze::cli {
 
@@ -12,10 +13,6 @@ class PageServer {
  public:
   /// Listens on a free port. Throws OutputError if the system refuses.
   explicit PageServer(std::string page);
-  ~PageServer();
-
-  PageServer(const PageServer&) = delete;
-  PageServer& operator=(const PageServer&) = delete;
 
   /// "http://127.0.0.1:41234/"
   std::string address() const;
@@ -24,12 +21,10 @@ class PageServer {
   [[noreturn]] void serve();
 
  private:
-  void answer(int connection) const;
   std::string reply_to(const std::string& request) const;
 
   std::string page_;
-  int listener_ = -1;
-  std::uint16_t port_ = 0;
+  Listener listener_;
 };
 
 }  // namespace graze::cli

@@ -11,8 +11,6 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include "terminal.hpp"
 
@@ -21,13 +19,6 @@ namespace {
 
 constexpr std::chrono::milliseconds quiet_time{1000};
 constexpr std::chrono::milliseconds frame_time{100};
-
-/// The width of the error stream's terminal; 80 if it is unknown.
-std::size_t terminal_columns() {
-  winsize size{};
-  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : std::size_t{80};
-}
 
 void write_at_once(const std::string& text) {
   std::fputs(text.c_str(), stderr);

@@ -59,6 +59,7 @@ struct QueryArguments {
   std::optional<double> t_max;
   std::optional<std::string> layer;
   bool only_first = false;
+  io::SceneReading reading;
   bool strict = false;
 };
 
@@ -298,7 +299,7 @@ Subject read_subject(const QueryArguments& arguments) {
         log);
   }
   Progress progress("reading the scene");
-  io::SceneFile file = read_input(*arguments.scene);
+  io::SceneFile file = read_input(*arguments.scene, arguments.reading);
   progress.stop();
   tell_omissions(file, arguments.strict);
   return {std::move(file.source), std::move(file.scene), std::move(file.omissions)};
@@ -364,6 +365,7 @@ Command add_query(CLI::App& program) {
   add("--layer", arguments->layer, "Only objects on this layer", "NAME");
   add("--format", arguments->format, "table (the default), json, ndjson or csv", "FORMAT");
   add("--output", arguments->output, "Write the result to a file instead of the standard output", "FILE");
+  add_solid(*app, arguments->reading);
   add_strict(*app, arguments->strict);
   app->footer(query_footer);
   return {app, [arguments] { return run_query(*arguments); }};

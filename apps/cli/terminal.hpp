@@ -7,13 +7,9 @@
 
 #include <graze/io/report/check.hpp>
 
+#include "system.hpp"
+
 namespace graze::cli {
-
-/// The streams for data and for messages.
-enum class Stream { output = 1, error = 2 };
-
-/// True if the stream is a terminal.
-bool is_terminal(Stream stream);
 
 /// True if the stream is a terminal that can move its cursor: not TERM=dumb.
 bool has_cursor(Stream stream);
@@ -29,9 +25,5 @@ void say_error(std::string_view message);
 
 /// Writes our own lines unchanged to the error stream; never fails.
 void say_text(const std::string& text);
-
-/// Opens standard streams that the caller has closed, in such a way that using them fails. Otherwise the next opened
-/// file would get their number and receive our messages.
-void claim_standard_streams();
 
 }  // namespace graze::cli

@@ -25,6 +25,7 @@ namespace {
 struct ViewArguments {
   std::string scene;
   std::optional<std::string> html;
+  io::SceneReading reading;
   bool strict = false;
 };
 
@@ -51,7 +52,7 @@ ExitCode run_view(const ViewArguments& arguments) {
   if (arguments.html) require_not_overwritten(arguments.scene, *arguments.html);
   std::string page = read_report_template();
   Progress progress("reading the scene");
-  const io::SceneFile file = read_input(arguments.scene);
+  const io::SceneFile file = read_input(arguments.scene, arguments.reading);
   progress.stop();
   tell_omissions(file, arguments.strict);
   if (arguments.html) {
@@ -66,9 +67,9 @@ ExitCode run_view(const ViewArguments& arguments) {
 }
 
 constexpr const char* view_footer =
-    R"(SCENE is a scene in graze's JSON or CSV, or a Tiled map (.tmx, .tmj), recognized
-by content. The page is self-contained and opens without a network. Without --html it is
-served at a local address until the program ends.
+    R"(SCENE is a scene in graze's JSON or CSV, a Tiled map (.tmx, .tmj), or a mesh file (.glb, .gltf,
+.stl, .obj, .ply, .off), recognized by content. The page is self-contained and opens without a
+network. Without --html it is served at a local address until the program ends.
 
 Examples:
   graze view level.tmx
@@ -85,6 +86,7 @@ Command add_view(CLI::App& program) {
   app->add_option("--html", arguments->html, "Write the page to a file, - for the standard output")
       ->type_name("FILE")
       ->take_last();
+  add_solid(*app, arguments->reading);
   add_strict(*app, arguments->strict);
   app->footer(view_footer);
   return {app, [arguments] { return run_view(*arguments); }};

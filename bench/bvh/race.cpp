@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <tuple>
 
@@ -30,10 +29,6 @@ std::vector<std::size_t> differences(const std::vector<double>& a, const std::ve
 
 /// How many boxes that a ray barely touches a peer may miss.
 constexpr std::size_t forgiven = questions / 10'000;
-
-/// Work that takes less than this many seconds is repeated in the same turn, so that the caches left by other
-/// contestants do not matter.
-constexpr double shortest_turn = 0.01;
 
 // ---- The reference: a loop over all boxes
 
@@ -130,27 +125,17 @@ class Race {
   /// Calls do_work(contestant) in turns, and check(runner) after each.
   template <class DoWork, class Check>
   void run_heat(Work work, const DoWork& do_work, const Check& check) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<double> best(runners_.size(), infinity);
-    std::vector<double> used(runners_.size(), 0);
-    for (std::size_t round = 0; round < options_.rounds; ++round) {
-      for (std::size_t k = 0; k < runners_.size(); ++k) {
-        if (!does(runners_[k], work) || used[k] > options_.enough_seconds) continue;
-        for (double turn = 0; turn < shortest_turn;) {
-          const std::clock_t start = std::clock();
-          do_work(*runners_[k].contestant);
-          const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-          best[k] = std::min(best[k], seconds);
-          used[k] += seconds;
-          turn += seconds;
-        }
-        check(runners_[k]);
-      }
+    std::vector<const Runner*> runners;
+    for (const Runner& runner : runners_) {
+      if (does(runner, work)) runners.push_back(&runner);
     }
+    const std::vector<double> best = best_times(
+        runners.size(), options_, [](std::size_t) {}, [&](std::size_t k) { do_work(*runners[k]->contestant); },
+        [&](std::size_t k) { check(*runners[k]); });
     Heat heat{work, {}};
-    for (std::size_t k = 0; k < runners_.size(); ++k) {
-      const Entrant<N>& entrant = runners_[k].entrant;
-      if (best[k] < infinity) heat.results.push_back({entrant.name, entrant.is_graze, entrant.is_judged, best[k]});
+    for (std::size_t k = 0; k < runners.size(); ++k) {
+      const Entrant<N>& entrant = runners[k]->entrant;
+      heat.results.push_back({entrant.name, entrant.is_graze, entrant.is_judged, best[k]});
     }
     if (!heat.results.empty()) result_.heats.push_back(heat);
   }

@@ -6,13 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "../bench/turns.hpp"
 #include "contestant.hpp"
 
 namespace bench {
 
-struct RaceOptions {
-  std::size_t rounds = 3;          ///< In which all take turns; the best counts.
-  double enough_seconds = 4;       ///< A contestant that has spent this time on one work skips its remaining rounds.
+struct RaceOptions : Turns {
   std::vector<std::string> names;  ///< Peers whose names contain one of these take part; all if empty.
 };
 

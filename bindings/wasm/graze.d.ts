@@ -122,6 +122,9 @@ export type Shape =
   | Compound
   | Mesh;
 
+/** A shape as an argument: a mesh of many triangles should be one that `graze.mesh` has made. */
+export type ShapeLike = Shape | BuiltMesh | { type: "compound"; parts: readonly ShapeLike[] };
+
 /** A box in a result, or where only a box is allowed. Coordinates may be infinite. */
 export interface Box {
   min: Point;
@@ -204,6 +207,15 @@ export interface RayHit {
   error: number;
 }
 
+/** Where a ray meets a mesh. */
+export interface MeshHit extends RayHit {
+  /** The index of the face; null for a ray that starts inside a solid, at t = 0. */
+  face: number | null;
+  /** The weights of the face's vertices whose sum is the point: from 0 to 1, together 1 up to rounding. Zero without a
+   * face. */
+  barycentric: Point;
+}
+
 /** The time and place of the first contact of moving shapes. */
 export interface Impact {
   /** From 0, the start of the motion, to 1, its end; never after the first contact. */
@@ -276,6 +288,102 @@ export interface Drawing {
   triangles: Uint32Array;
   /** Lines, two corners each: outlines in 2D, edges in 3D (of round shapes: none). */
   lines: Uint32Array;
+}
+
+// ---- Meshes
+
+export interface MeshOptions {
+  /** Default: "surface". */
+  kind?: "surface" | "solid";
+  /** Required for vertices that are consecutive coordinates. */
+  dimension?: Dimension;
+}
+
+/** Triangles as three indices of vertices each: one after the other, or as triples. */
+export type Faces = Uint32Array | Uint16Array | Uint8Array | readonly (readonly number[])[];
+
+/** What is unusual about a mesh; one that is closed and has no faults has zero everywhere but in `components`. Vertices
+ * and edges are the same only if their indices are. */
+export interface MeshReport {
+  /** Edges of a single face. */
+  openEdges: number;
+  /** Edges of more than two faces. */
+  nonManifoldEdges: number;
+  /** Edges of two faces that both run along it in the same direction. */
+  flippedEdges: number;
+  /** Faces whose corners are collinear or equal, which is decided exactly. */
+  degenerateFaces: number;
+  /** Faces with the same three vertices, in any order, as one before. */
+  duplicateFaces: number;
+  /** Vertices of no face. */
+  unusedVertices: number;
+  /** Groups of faces that hang together by common vertices. */
+  components: number;
+  /** Whether each edge is used as often in one direction as in the other, so that winding numbers are integers. */
+  isClosed: boolean;
+}
+
+/** The hits of many rays, in their order. */
+export interface MeshHits {
+  /** Infinity for a ray that misses. */
+  t: Float64Array;
+  /** -1 for a ray that misses, or that starts inside a solid. */
+  faces: Int32Array;
+  /** N numbers each; NaN for a ray that misses. */
+  points: Float64Array;
+  /** N numbers each. */
+  normals: Float64Array;
+  /** Three numbers each, as in MeshHit. */
+  barycentrics: Float64Array;
+  /** 0 converged, 1 best bound. */
+  statuses: Uint8Array;
+  errors: Float64Array;
+}
+
+/** A mesh that the module holds: its triangles are copied, and the tree behind its queries built, once. Accepted
+ * wherever a shape is. It never changes; copies made by `posed` share its triangles. Arrays of points and rays have
+ * finite numbers. */
+export interface BuiltMesh extends Disposable {
+  readonly type: "mesh";
+  readonly dimension: Dimension;
+  readonly kind: "surface" | "solid";
+  readonly vertexCount: number;
+  readonly faceCount: number;
+  /** N coordinates each. */
+  vertices(): Float64Array;
+  /** Three indices of vertices each. */
+  faces(): Uint32Array;
+
+  /** What is unusual about it. */
+  report(): MeshReport;
+  /** The edges that the report counts as such: two indices of vertices each. */
+  edges(fault: "open" | "non_manifold" | "flipped"): Uint32Array;
+  /** All pairs of faces that share more than their common vertices and edges: a0, b0, a1, b1, ...; ascending. Decided
+   * exactly. */
+  selfIntersections(): Uint32Array;
+  /** All pairs of a face of this mesh and one of the other that share a point: a0, b0, a1, b1, ...; ascending. Decided
+   * exactly; the inside of solids does not count. */
+  touchingFaces(other: BuiltMesh): Uint32Array;
+
+  /** How often the faces run around a point: an integer for a closed mesh, and meaningful for open and broken ones. */
+  windingNumber(point: Vector): number;
+  /** The same for many points, N coordinates each, in their order. */
+  windingNumbers(points: Numbers): Float64Array;
+  /** `signedDistance` of many points: negative inside a solid. */
+  signedDistances(points: Numbers): Float64Array;
+  /** `closestPoint` of many points, N coordinates each. */
+  closestPoints(points: Numbers): Float64Array;
+  /** `rayCast` of many rays, 2 N numbers each: origin, then direction. */
+  rayCasts(rays: Numbers): MeshHits;
+
+  /** The same faces on vertices without duplicates: of vertices with equal coordinates only the first is kept. */
+  welded(): BuiltMesh;
+  /** The same faces with as many other vertices: faster than a new mesh. */
+  moved(vertices: Points): BuiltMesh;
+  /** Rotated about the origin, then moved, without copying triangles. A pose is that of `Scene.pose`. */
+  posed(pose: Vector): BuiltMesh;
+
+  delete(): void;
 }
 
 // ---- Many boxes
@@ -397,7 +505,7 @@ export interface SpatialIndex extends Disposable {
   box(key: Key): Box;
 
   /** The keys of all boxes that meet the region, each once, in an order that depends only on the index. */
-  query(region: Shape): Float64Array;
+  query(region: ShapeLike): Float64Array;
   /** All boxes that the ray enters, in order of t. */
   rayCast(ray: RayLike): IndexHit[];
   nearest(point: Vector, count: number): IndexNeighbour[];
@@ -457,6 +565,9 @@ export interface NearObject {
 
 export interface ObjectHit extends RayHit {
   id: ObjectId;
+  /** If the object's shape is a mesh and the ray does not start inside it: where on it, as in MeshHit. */
+  face?: number;
+  barycentric?: Point;
 }
 
 /** An object that a moving shape touches, and the first touch; the normal points towards the object. */
@@ -626,15 +737,15 @@ export interface Scene extends Disposable {
   /** What the file contains and graze did not read. */
   readonly omissions: Omission[];
 
-  add(shape: Shape, options?: ObjectOptions): ObjectId;
+  add(shape: ShapeLike, options?: ObjectOptions): ObjectId;
   /** All of them or, with an Error, none. The options apply to each; they have no name. */
-  addMany(shapes: readonly Shape[], options?: Omit<ObjectOptions, "name">): Float64Array;
+  addMany(shapes: readonly ShapeLike[], options?: Omit<ObjectOptions, "name">): Float64Array;
   /** Axis-aligned boxes, 2 N numbers each: min, then max. */
   addBoxes(boxes: Numbers, options?: Omit<ObjectOptions, "name">): Float64Array;
   /** Spheres or circles, N + 1 numbers each: center, then radius. */
   addSpheres(spheres: Numbers, options?: Omit<ObjectOptions, "name">): Float64Array;
 
-  move(id: ObjectId, shape: Shape): void;
+  move(id: ObjectId, shape: ShapeLike): void;
   /** Moves objects by N numbers each. All of them or, with an Error, none; the same for the next four. */
   translate(ids: Float64Array, offsets: Numbers): void;
   /** Moves objects so that the centers of their boxes are at these points, up to rounding; for spheres and oriented
@@ -690,15 +801,15 @@ export interface Scene extends Disposable {
   readonly layerNames: string[];
 
   /** The objects that touch or overlap a region. */
-  overlapping(region: Shape, options?: SceneQuery): Float64Array;
+  overlapping(region: ShapeLike, options?: SceneQuery): Float64Array;
   /** The objects whose boxes touch or overlap a region, such as a view volume: faster. */
-  cull(region: Shape, options?: SceneQuery): Float64Array;
+  cull(region: ShapeLike, options?: SceneQuery): Float64Array;
   /** The objects that touch or overlap a shape, and where: for each the `manifold` of the shape and the object. The
    * shape need not be an object. Ascending by id. */
-  contactsWith(shape: Shape, options?: SceneQuery): ObjectTouch[];
+  contactsWith(shape: ShapeLike, options?: SceneQuery): ObjectTouch[];
   /** The `count` objects nearest to a point or a shape, or all if there are fewer: by `distance`, ties by id; 0 for all
    * that touch the shape. */
-  nearest(from: Vector | Shape, count: number, options?: SceneQuery): NearObject[];
+  nearest(from: Vector | ShapeLike, count: number, options?: SceneQuery): NearObject[];
   /** The first hit. */
   rayCast(ray: RayLike, options?: SceneRayOptions): ObjectHit | null;
   /** All hits, in order of t. */
@@ -707,16 +818,16 @@ export interface Scene extends Disposable {
   /** The first object that a shape touches as it moves by `motion`, of several the one with the lowest id: the earliest
    * `shapeCast` of the shape at any object. The shape need not be an object; an object that is cast from its own place
    * excepts itself. */
-  shapeCast(shape: Shape, motion: Vector, options?: SceneCastOptions): ObjectImpact | null;
+  shapeCast(shape: ShapeLike, motion: Vector, options?: SceneCastOptions): ObjectImpact | null;
   /** All objects that it touches, each with its first touch, in order of t: it passes through what it touches. */
-  shapeCastAll(shape: Shape, motion: Vector, options?: SceneCastOptions): ObjectImpact[];
+  shapeCastAll(shape: ShapeLike, motion: Vector, options?: SceneCastOptions): ObjectImpact[];
   /** The first object that a shape touches as it moves and rotates: the earliest `timeOfImpact` of the shape and any
    * object, which does not move. `shapeCast` is cheaper without rotation. */
-  timeOfImpact(shape: Shape, motion: Motion, options?: SceneQuery): ObjectImpact | null;
+  timeOfImpact(shape: ShapeLike, motion: Motion, options?: SceneQuery): ObjectImpact | null;
   /** Moves a shape along `motion`, and where it meets an object, along its surface: a character that walks along walls,
    * up slopes and steps. The scene does not change; move the shape by the resulting motion. It passes through nothing,
    * and never ends in an overlap with an object that it did not overlap at the start. */
-  slide(shape: Shape, motion: Vector, options?: SlideOptions): Slide;
+  slide(shape: ShapeLike, motion: Vector, options?: SlideOptions): Slide;
 
   check(options?: CheckOptions): CheckReport;
   checkPairs(options?: CheckOptions): CheckedPairs;
@@ -736,31 +847,32 @@ export interface Graze {
   /** The version of the library: "0.1.0". */
   readonly version: string;
 
-  relation(a: Shape, b: Shape): Relation;
-  intersects(a: Shape, b: Shape): boolean;
-  distance(a: Shape, b: Shape): number;
-  closestPoints(a: Shape, b: Shape): Proximity;
+  relation(a: ShapeLike, b: ShapeLike): Relation;
+  intersects(a: ShapeLike, b: ShapeLike): boolean;
+  distance(a: ShapeLike, b: ShapeLike): number;
+  closestPoints(a: ShapeLike, b: ShapeLike): Proximity;
   /** The distance or, if the shapes touch or overlap, minus the depth of their contact, with its points and normal. */
-  separation(a: Shape, b: Shape): Proximity;
-  contact(a: Shape, b: Shape, options?: ContactOptions): Contact | null;
-  manifold(a: Shape, b: Shape, options?: ContactOptions): Manifold;
+  separation(a: ShapeLike, b: ShapeLike): Proximity;
+  contact(a: ShapeLike, b: ShapeLike, options?: ContactOptions): Contact | null;
+  manifold(a: ShapeLike, b: ShapeLike, options?: ContactOptions): Manifold;
 
   /** The first contact of a, which moves by `motion` without rotation, and b, which does not move; null if there is
    * none. For any two shapes. */
-  shapeCast(a: Shape, motion: Vector, b: Shape, options?: CastOptions): Impact | null;
+  shapeCast(a: ShapeLike, motion: Vector, b: ShapeLike, options?: CastOptions): Impact | null;
   /** The first contact of moving and rotating shapes, for any two. A missing motion means no motion. */
-  timeOfImpact(a: Shape, motionA: Motion, b: Shape, motionB?: Motion): Impact | null;
+  timeOfImpact(a: ShapeLike, motionA: Motion, b: ShapeLike, motionB?: Motion): Impact | null;
 
-  rayCast(shape: Shape, ray: RayLike, options?: RayCastOptions): RayHit | null;
-  contains(shape: Shape, point: Vector): boolean;
-  closestPoint(shape: Shape, point: Vector): Point;
-  closestBoundaryPoint(shape: Shape, point: Vector): Point;
-  signedDistance(shape: Shape, point: Vector): number;
+  rayCast(shape: Mesh | BuiltMesh, ray: RayLike, options?: RayCastOptions): MeshHit | null;
+  rayCast(shape: ShapeLike, ray: RayLike, options?: RayCastOptions): RayHit | null;
+  contains(shape: ShapeLike, point: Vector): boolean;
+  closestPoint(shape: ShapeLike, point: Vector): Point;
+  closestBoundaryPoint(shape: ShapeLike, point: Vector): Point;
+  signedDistance(shape: ShapeLike, point: Vector): number;
   /** Infinite sides for unbounded shapes. */
-  bounds(shape: Shape): Box;
+  bounds(shape: ShapeLike): Box;
   /** The shape in the library's representation: boxes by min and max, oriented ones by axes, polytopes by their
    * vertices. */
-  normalised(shape: Shape): Shape;
+  normalised(shape: ShapeLike): Shape;
 
   /** The exact minimum. Consecutive coordinates need a dimension; the same for the next four. */
   boundingSphere(points: Points, dimension?: Dimension): Sphere;
@@ -772,7 +884,11 @@ export interface Graze {
   /** The vertices: in 2D counter-clockwise from the smallest, in 3D in lexicographic order. */
   convexHull(points: Points, dimension?: Dimension): Polytope & { points: Point[] };
 
-  drawing(shape: Shape, options?: OutlineOptions): Drawing;
+  /** A mesh of triangles that the module keeps until `delete`. Any faces are accepted: open or closed, crossing each
+   * other, flat, equal, or none. Vertices are equal only if their indices are; see `welded`. */
+  mesh(vertices: Points, faces: Faces, options?: MeshOptions): BuiltMesh;
+
+  drawing(shape: ShapeLike, options?: OutlineOptions): Drawing;
 
   /** Boxes of 2 N numbers each, min, then max. Returns the pairs a0, b0, a1, b1, ... with a < b that share a point. */
   overlappingPairs(boxes: Numbers, dimension: Dimension, options?: PairOptions): Uint32Array;
@@ -786,7 +902,7 @@ export interface Graze {
 
   /** The candidates (pairs a0, b0, a1, b1, ... of indexes in `shapes`) that touch or overlap, in their order:
    * `intersects` for many pairs at once. */
-  touchingPairs(shapes: readonly Shape[], candidates: Uint32Array): Uint32Array;
+  touchingPairs(shapes: readonly ShapeLike[], candidates: Uint32Array): Uint32Array;
 
   readonly PairFinder: {
     new (dimension: Dimension, count: number, scalar?: "float"): PairFinder<Float32Array>;

@@ -49,7 +49,9 @@ bool is_obb(const AnyShape<N, T>& shape) {
 template <Dim N, class T>
 const Obb<N, T>* obb_of(const AnyShape<N, T>& shape) {
   const auto* box = std::get_if<Obb<N, T>>(&shape);
+#ifdef __GNUC__
   if (box == nullptr) __builtin_unreachable();
+#endif
   return box;
 }
 

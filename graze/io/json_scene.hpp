@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,8 +21,10 @@ inline constexpr std::string_view json_scene_schema = "graze.scene/1";
 /// InputError.
 GRAZE_EXPORT SceneFile parse_json_scene(std::string_view text, const std::string& source);
 
-/// Reads a scene from a parsed document. Throws InputError.
-GRAZE_EXPORT SceneFile read_json_scene(const JsonDocument& document);
+/// Reads a scene from a parsed document. The files of meshes are relative to `folder`; without one, such meshes are
+/// refused, as by parse_json_scene. Throws InputError.
+GRAZE_EXPORT SceneFile read_json_scene(const JsonDocument& document,
+                                       const std::optional<std::filesystem::path>& folder = std::nullopt);
 
 /// Writes a scene in the library's own format. Numbers survive the round trip bit for bit. `file.omissions` are not in
 /// the scene and not written; layers without a name get one. Throws OutputError for what the format cannot hold: a name

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <graze/io/file/utf8_path.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/output_error.hpp>
 #include <graze/io/recording.hpp>
@@ -158,7 +159,7 @@ std::array<char, head_bytes> encoded(const RecordingHead& head) {
 
 }  // namespace
 
-RecordingReader::RecordingReader(const fs::path& path) : source_(path.string()) {
+RecordingReader::RecordingReader(const fs::path& path) : source_(utf8_from_path(path)) {
   const std::uint64_t size = size_of(path, source_);
   errno = 0;
   in_.open(path, std::ios::binary);

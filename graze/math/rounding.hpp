@@ -55,7 +55,7 @@ inline double product_error_by_halves(double a, double b, double product) {
 /// a * b and its rounding error. Exact unless the product overflows or underflows.
 inline Rounded two_product(double a, double b) {
   const double product = a * b;
-#if defined(__wasm__)  // has no FMA instruction, and the C library's function is dozens of times slower
+#if defined(__wasm__) || (defined(__MINGW32__) && !defined(__FMA__))  // std::fma is slow here, or rounds twice
   return {product, detail::product_error_by_halves(a, b, product)};
 #else
   return {product, std::fma(a, b, -product)};

@@ -53,6 +53,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/closest/convex.hpp>
 #include <graze/query/closest/hulls.hpp>
+#include <graze/query/closest/nearest_faces.hpp>
 #include <graze/query/closest/nearest_part.hpp>
 #include <graze/query/closest/nearly_parallel.hpp>
 #include <graze/query/closest/unbounded.hpp>
@@ -338,16 +339,6 @@ template <class A, class B>
   return result;
 }
 
-/// For a shape that lies inside a solid mesh, with this point.
-template <Dim N>
-Proximity<N, double> proximity_inside(const Vec<N, double>& point) {
-  Proximity<N, double> result;
-  result.distance = 0;
-  result.point_a = result.point_b = point;
-  result.relation = Relation::overlapping;
-  return result;
-}
-
 /// The nearest part, of several the first; parts whose boxes are farther away beyond rounding are skipped.
 template <HasParts Whole, class S>
 Proximity<dimension_of<S>, double> proximity_of_parts(const Whole& whole, const S& shape) {
@@ -356,14 +347,24 @@ Proximity<dimension_of<S>, double> proximity_of_parts(const Whole& whole, const 
   const Aabb<N, T> box = touching_bounds(shape);
   NearestPart<N> best;
   const MayBeNearest<N, T> may_be_nearest{box, best};
-  visit_parts(whole, may_be_nearest, ByKey(), [&](const auto& part, std::size_t index) {
+  const auto visit = [&](const auto& part, std::size_t index) {
     if (!best.is_decided_before(index)) best.add(proximity(part.shape, shape), index);
     return true;
-  });
+  };
+  visit_parts(whole, may_be_nearest, ByKey(), PartVisitor<Whole>(visit));
   if (best.nearest().relation == Relation::apart) {
     if (const auto point = point_inside(whole, shape)) return proximity_inside(wide<N, T>(*point));
   }
   return best.nearest();
+}
+
+template <Dim N, class T>
+Proximity<N, double> proximity_of_meshes(const Mesh<N, T>& a, const Mesh<N, T>& b) {
+  const auto found = proximity_of_meshes(
+      a, b, [](const Triangle<N, T>& face_a, const Triangle<N, T>& face_b) { return proximity(face_a, face_b); });
+  Proximity<N, double> result = found ? *found : proximity_of_parts(a, b);
+  if (result.relation == Relation::touching) result.relation = decide(a, b);
+  return result;
 }
 
 /// Without a branch on the order, which would be mispredicted half of the time.
@@ -378,8 +379,10 @@ bool find_proximity_of_hulls_in_any_order(const S& a, const S& b, SimplexCache<3
 template <class A, class B>
 bool find_proximity_of_hulls_in_any_order(const A& a, const B& b, SimplexCache<3>* cache,
                                           Proximity<3, double>& result) {
-  if (is_in_order(a, b)) return find_proximity_of_hulls(a, b, {cache, false}, result);
-  return find_proximity_of_hulls(b, a, {cache, true}, result);
+  if constexpr (are_in_either_order<A, B>) {
+    if (!is_in_order(a, b)) return find_proximity_of_hulls(b, a, {cache, true}, result);
+  }
+  return find_proximity_of_hulls(a, b, {cache, false}, result);
 }
 
 template <class A, class B>
@@ -389,25 +392,24 @@ Proximity<dimension_of<A>, double> proximity(const A& a, const B& b,
     return detail::visit([&](const auto& held) { return proximity(held, b, cache); }, a);
   } else if constexpr (is_any_shape<B>) {
     return detail::visit([&](const auto& held) { return proximity(a, held, cache); }, b);
+  } else if constexpr (is_mesh<A> && is_mesh<B>) {
+    return is_in_order(a, b) ? proximity_of_meshes(a, b) : exchanged(proximity_of_meshes(b, a));
   } else if constexpr (HasParts<A> && HasParts<B>) {
     return is_in_order(a, b) ? proximity_of_parts(a, b) : exchanged(proximity_of_parts(b, a));
   } else if constexpr (HasParts<A>) {
     return proximity_of_parts(a, b);
   } else if constexpr (HasParts<B>) {
     return exchanged(proximity_of_parts(b, a));
+  } else if constexpr (are_exchanged<A, B>) {
+    return exchanged(proximity(b, a, cache));
   } else {
     if constexpr (HullInSpace<A> && HullInSpace<B>) {
       Proximity<3, double> result;
       const bool is_usual = is_usual_size<scalar_of<A>>(std::max(size_of_hull(a), size_of_hull(b)));
       if (is_usual && find_proximity_of_hulls_in_any_order(a, b, cache, result)) return result;
     }
-    if constexpr (type_place<A> < type_place<B>) {
-      return proximity_in_order(a, b);
-    } else if constexpr (type_place<A> > type_place<B>) {
-      return exchanged(proximity_in_order(b, a));
-    } else {
-      return is_in_order(a, b) ? proximity_in_order(a, b) : exchanged(proximity_in_order(b, a));
-    }
+    const auto ask = [](const auto& first, const auto& second) { return proximity_in_order(first, second); };
+    return answer_in_order(a, b, ask, [](const auto& found) { return exchanged(found); });
   }
 }
 

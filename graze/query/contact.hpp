@@ -144,13 +144,21 @@ inline constexpr bool are_simple = !is_any_shape<A> && !is_any_shape<B> && !HasP
 /// oriented one.
 template <class S>
 inline constexpr std::size_t contact_place = 2 * type_place<S> + (is_a<Aabb, S> ? 3 : 0);
+template <class A, class B>
+inline constexpr bool are_contacts_exchanged = (contact_place<A>) > contact_place<B>;
+
+template <Dim N>
+std::optional<Penetration<N>> exchanged(std::optional<Penetration<N>> penetration) {
+  if (penetration) penetration = exchanged(*penetration);
+  return penetration;
+}
 
 /// For two simple shapes that meet and are in range.
 template <class A, class B>
 Penetration<dimension_of<A>> penetration_in_any_order(const A& a, const B& b) {
   if constexpr (contact_place<A> < contact_place<B>) {
     return penetration_in_order(a, b);
-  } else if constexpr (contact_place<A> > contact_place<B>) {
+  } else if constexpr (are_contacts_exchanged<A, B>) {
     return exchanged(penetration_in_order(b, a));
   } else {
     return is_in_order(a, b) ? penetration_in_order(a, b) : exchanged(penetration_in_order(b, a));
@@ -193,25 +201,19 @@ inline constexpr bool are_for_epa =
 /// For two simple shapes; none if they are apart.
 template <class A, class B>
 std::optional<Penetration<dimension_of<A>>> penetration_if_met(const A& a, const B& b) {
-  if constexpr (are_for_epa<A, B>) {
+  if constexpr (are_contacts_exchanged<A, B>) {
+    return exchanged(penetration_if_met(b, a));
+  } else if constexpr (are_for_epa<A, B>) {
     if (any_nan(a, b)) return std::nullopt;
     if (!are_usual(a, b)) {
       if (const auto rescaled = penetration_in_range(a, b)) return *rescaled;
     }
-    if (is_in_order(a, b)) return penetration_of_convex_if_met(a, b);
-    auto found = penetration_of_convex_if_met(b, a);
-    if (found) found = exchanged(*found);
-    return found;
+    const auto ask = [](const auto& first, const auto& second) { return penetration_of_convex_if_met(first, second); };
+    return answer_in_order(a, b, ask, [](const auto& found) { return exchanged(found); });
   } else {
     if (decide(a, b) == Relation::apart) return std::nullopt;
     return penetration_of_met(a, b);
   }
-}
-
-template <Dim N>
-std::optional<Penetration<N>> exchanged(std::optional<Penetration<N>> penetration) {
-  if (penetration) penetration = exchanged(*penetration);
-  return penetration;
 }
 
 template <HasParts Whole, class S>
@@ -233,6 +235,8 @@ std::optional<Penetration<dimension_of<A>>> penetration(const A& a, const B& b) 
     return penetration_of_parts(a, b);
   } else if constexpr (HasParts<B>) {
     return exchanged(penetration_of_parts(b, a));
+  } else if constexpr (are_contacts_exchanged<A, B>) {
+    return exchanged(penetration(b, a));
   } else if constexpr (are_quick_obbs<A, B>) {
     const bool turned = are_turned(a, b);
     const auto found = penetration_of_obbs(seen_in_order(a, b, turned));

@@ -36,6 +36,7 @@
 #include <graze/query/cores/surface_point.hpp>
 #include <graze/query/cores/surface_point_box.hpp>
 #include <graze/query/distance_squared.hpp>
+#include <graze/query/parts/may_be_near.hpp>
 #include <graze/query/parts/visit.hpp>
 #include <graze/query/relation/triangle_filter.hpp>
 #include <graze/query/scaling/range.hpp>
@@ -321,31 +322,11 @@ bool is_held(const AnyShape<N, T>& shape, const Vec<N, T>& point) {
   return detail::visit([&point](const auto& held) { return is_held(held, point); }, shape);
 }
 
-/// No part in the box contains a point that is farther from the box than this; if the point is farther, its distance
-/// from any part exceeds the difference.
-template <Dim N, class T>
-double forgiven_outside(const Aabb<N, T>& box, const Vec<N, T>& point) {
-  const double largest = static_cast<double>(std::max(max_abs(point), size_of_box(box)));
-  return (tolerance::surface<T> + tolerance::box_slack) * largest;
-}
-
-/// For `visit_parts`: whether a part may be nearer to a point than a distance, or hold it.
-template <Dim N, class T>
-struct MayBeNear {
-  bool operator()(const Aabb<N, T>& box) const {
-    return !is_farther(distance_squared(point, box), distance + forgiven_outside(box, point));
-  }
-  /// In one function, as may_part_touch is.
-  [[gnu::flatten]] bool operator()(const Part<N, T>& part) const { return (*this)(part.box) || is_hidden_by_box(part); }
-
-  Vec<N, T> point;
-  double distance = 0;
-};
-
 template <Dim N, class T>
 bool is_held(const Compound<N, T>& compound, const Vec<N, T>& point) {
   bool is_found = false;
-  visit_parts(compound, MayBeNear<N, T>{point}, [&](const Part<N, T>& part, std::size_t) {
+  const MayBeNear<N, T> may_be_near{point};
+  visit_parts(compound, may_be_near, ByKey(), [&](const Part<N, T>& part, std::size_t) {
     is_found = is_held(part.shape, point);
     return !is_found;
   });
@@ -356,7 +337,8 @@ bool is_held(const Compound<N, T>& compound, const Vec<N, T>& point) {
 template <Dim N, class T>
 bool is_held(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
   bool is_found = false;
-  visit_parts(mesh, MayBeNear<N, T>{point}, [&](const FacePart<N, T>& face, std::size_t) {
+  const MayBeNear<N, T> may_be_near{point};
+  visit_parts(mesh, may_be_near, ByKey(), [&](const FacePart<N, T>& face, std::size_t) {
     is_found = is_held(face.shape, point);
     return !is_found;
   });

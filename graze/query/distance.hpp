@@ -4,23 +4,40 @@
 #pragma once
 
 #include <cassert>
+#include <variant>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/closest_points.hpp>
 #include <graze/query/compiled/instances.hpp>
+#include <graze/query/parts/visit.hpp>
 #include <graze/query/proximity.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/simplex_cache.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/mesh.hpp>
 #include <graze/shape/shape.hpp>
 
 namespace graze {
 
 namespace detail {
 
+/// Whether both shapes are meshes that meet. To know that takes much less time than to find the first faces that do.
+template <class A, class B>
+bool do_meshes_meet(const A& a, const B& b) {
+  if constexpr (is_any_shape<A> && is_any_shape<B>) {
+    using SameMesh = Mesh<dimension_of<A>, scalar_of<A>>;
+    if (!std::holds_alternative<SameMesh>(a) || !std::holds_alternative<SameMesh>(b)) return false;
+    return decide(a, b) != Relation::apart;
+  } else if constexpr (is_mesh<A> && is_mesh<B>) {
+    return decide(a, b) != Relation::apart;
+  }
+  return false;
+}
+
 template <class A, class B>
 scalar_of<A> distance_of(const A& a, const B& b, SimplexCache<dimension_of<A>>* cache = nullptr) {
   assert(is_valid_if_known(a) && is_valid_if_known(b));
+  if (do_meshes_meet(a, b)) return 0;
   const auto nearest = proximity(a, b, cache);
   return rounded_distance<scalar_of<A>>(nearest.distance, nearest.relation);
 }

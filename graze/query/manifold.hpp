@@ -161,10 +161,14 @@ template <class A, class B>
   const auto found = penetration_within(a, b, margin);
   if (!found) return std::nullopt;
   if (!are_in_range && are_mixed(a, b)) return manifold_of_one_point(*found);
-  if (is_in_order(a, b)) return manifold_of_found(a, b, *found, margin);
-  WideManifold<dimension_of<A>> result = manifold_of_found(b, a, exchanged(*found), margin);
-  exchange(result);
-  return result;
+  if constexpr (are_exchanged<A, B> || are_in_either_order<A, B>) {
+    if (!is_in_order(a, b)) {
+      WideManifold<dimension_of<A>> result = manifold_of_found(b, a, exchanged(*found), margin);
+      exchange(result);
+      return result;
+    }
+  }
+  return manifold_of_found(a, b, *found, margin);
 }
 
 /// For two simple shapes that meet.
@@ -197,6 +201,8 @@ std::optional<WideManifold<dimension_of<A>>> wide_manifold(const A& a, const B& 
     return manifold_of_parts(a, b, margin);
   } else if constexpr (HasParts<B>) {
     return exchanged(manifold_of_parts(b, a, margin));
+  } else if constexpr (are_contacts_exchanged<A, B>) {
+    return exchanged(wide_manifold(b, a, margin));
   } else if constexpr (are_quick_obbs<A, B>) {
     return margin > 0 ? manifold_within(a, b, margin) : manifold_of_obbs(a, b);
   } else {

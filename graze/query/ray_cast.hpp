@@ -125,13 +125,6 @@ std::optional<RayHit<N, T>> first_hit(const AnyShape<N, T>& shape, const Ray<N, 
   return detail::visit([&](const auto& held) { return first_hit(held, ray, t_max); }, shape);
 }
 
-/// A hit and the part that is hit.
-template <Dim N, class T>
-struct HitPart {
-  std::optional<RayHit<N, T>> hit;
-  std::size_t index = 0;
-};
-
 /// The parts that may be met by the rest of a path, which `visit` may shorten, in about the order in which it meets
 /// them.
 template <HasParts Whole, Dim N, class Visit>
@@ -143,10 +136,11 @@ void visit_parts_along(const Whole& whole, const Path<N>& path, const RestOfPath
   }
 }
 
-/// The nearest hit of the parts, of several the first part's. After a hit, only parts with their box before it matter,
-/// but each is tested as if it were alone.
-template <HasParts Whole, Dim N, class T>
-HitPart<N, T> first_hit_of_parts(const Whole& whole, const Ray<N, T>& ray, T t_max) {
+/// The nearest hit of the parts, of several the first part's; remember(part, index) is called for each that is the
+/// nearest so far. After a hit, only parts with their box before it matter, but each is tested as if it were alone.
+template <HasParts Whole, Dim N, class T, class Remember>
+std::optional<RayHit<N, T>> first_hit_of_parts(const Whole& whole, const Ray<N, T>& ray, T t_max,
+                                               const Remember& remember) {
   std::optional<RayHit<N, T>> best;
   FirstPart first;
   const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), latest_t(t_max)};
@@ -155,27 +149,41 @@ HitPart<N, T> first_hit_of_parts(const Whole& whole, const Ray<N, T>& ray, T t_m
     const std::optional<RayHit<N, T>> found = first_hit(part.shape, ray, t_max);
     if (!found || !first.is_replaced_by(static_cast<double>(found->t), index)) return true;
     best = found;
+    remember(part, index);
     rest.end_at(latest_t(found->t));
     return true;
   };
   visit_parts_along(whole, path, rest, visit);
-  return {best, first.index()};
+  return best;
 }
 
 template <Dim N, class T>
 std::optional<RayHit<N, T>> first_hit(const Compound<N, T>& compound, const Ray<N, T>& ray, T t_max) {
-  return first_hit_of_parts(compound, ray, t_max).hit;
+  return first_hit_of_parts(compound, ray, t_max, [](const Part<N, T>&, std::size_t) {});
 }
+
+/// A hit of a mesh, and the face that is hit.
+template <Dim N, class T>
+struct HitFace {
+  std::optional<RayHit<N, T>> hit;
+  std::size_t index = no_face;
+  Triangle<N, T> face{};
+};
 
 /// A ray that starts inside a solid hits no face, but what is inside.
 template <Dim N, class T>
-HitPart<N, T> first_hit_of_mesh(const Mesh<N, T>& mesh, const Ray<N, T>& ray, T t_max) {
+HitFace<N, T> first_hit_of_mesh(const Mesh<N, T>& mesh, const Ray<N, T>& ray, T t_max) {
+  HitFace<N, T> found;
   if (is_inside(mesh, ray.origin)) {
-    if (!(t_max >= T(0))) return {};
     const RawHit<N> at_start{0, wide<N, T>(ray.origin)};
-    return {rounded<N, T>(at_start, 0, wide<N, T>(ray.direction), RaySide::entry), no_face};
+    if (t_max >= T(0)) found.hit = rounded<N, T>(at_start, 0, wide<N, T>(ray.direction), RaySide::entry);
+    return found;
   }
-  return first_hit_of_parts(mesh, ray, t_max);
+  found.hit = first_hit_of_parts(mesh, ray, t_max, [&](const FacePart<N, T>& face, std::size_t index) {
+    found.index = index;
+    found.face = face.shape;
+  });
+  return found;
 }
 
 template <Dim N, class T>
@@ -200,12 +208,16 @@ template <class S, Dim N, class T>
 
 /// The exit of a mesh is that of one of its faces, to the bit.
 template <Dim N, class T>
-HitPart<N, T> last_hit_of_mesh(const Mesh<N, T>& mesh, const Ray<N, T>& ray, T t_max) {
-  HitPart<N, T> found{last_hit(mesh, ray, t_max), no_face};
+HitFace<N, T> last_hit_of_mesh(const Mesh<N, T>& mesh, const Ray<N, T>& ray, T t_max) {
+  HitFace<N, T> found;
+  found.hit = last_hit(mesh, ray, t_max);
   if (!found.hit) return found;
   const Path<N> path{wide<N, T>(ray.origin), wide<N, T>(ray.direction), latest_t(t_max)};
   visit_parts_along(mesh, path, RestOfPath<N>(path), [&](const FacePart<N, T>& face, std::size_t index) {
-    if (index < found.index && last_hit(face.shape, ray, t_max) == found.hit) found.index = index;
+    if (index < found.index && last_hit(face.shape, ray, t_max) == found.hit) {
+      found.index = index;
+      found.face = face.shape;
+    }
     return true;
   });
   return found;
@@ -281,7 +293,7 @@ requires detail::is_mesh<S> std::optional<MeshHit<dimension_of<S>, scalar_of<S>>
   MeshHit<dimension_of<S>, scalar_of<S>> hit{*found.hit};
   if (found.index == no_face) return hit;
   hit.face = found.index;
-  hit.barycentric = detail::barycentric_of(mesh.triangle(hit.face), hit.point);
+  hit.barycentric = detail::barycentric_of(found.face, hit.point);
   return hit;
 }
 

@@ -37,6 +37,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
@@ -106,6 +107,25 @@ Relation relation_of_parts(const Whole& whole, const S& shape) {
   return closest;
 }
 
+/// The same for two meshes, by both trees.
+template <Dim N, class T>
+Relation relation_of_meshes(const Mesh<N, T>& a, const Mesh<N, T>& b) {
+  const PlacedMesh<N, T>& faces_a = placed(a);
+  const PlacedMesh<N, T>& faces_b = placed(b);
+  Relation closest = Relation::apart;
+  visit_near_faces(faces_a, faces_b, [&](std::uint32_t face_a, std::uint32_t face_b) {
+    closest = std::max(closest, decide(faces_a.triangle(face_a), faces_b.triangle(face_b)));
+    return closest != Relation::overlapping;
+  });
+  // Of a mesh that touches a solid, some faces may be inside that do not touch it.
+  if (closest == Relation::touching && N == 3) {
+    if (b.kind() == MeshKind::solid) closest = relation_of_parts(a, b);
+    if (closest == Relation::touching && a.kind() == MeshKind::solid) closest = relation_of_parts(b, a);
+  }
+  if (closest == Relation::apart && (point_inside(b, a) || point_inside(a, b))) return Relation::overlapping;
+  return closest;
+}
+
 /// The verdict, but apart if any number is NaN. The check comes last and is rare, because most pairs are apart anyway.
 template <class A, class B>
 inline Relation unless_nan(const A& a, const B& b, Relation verdict) {
@@ -123,16 +143,18 @@ inline Relation decide(const A& a, const B& b) {
     return detail::visit([&b](const auto& held) { return decide(held, b); }, a);
   } else if constexpr (is_any_shape<B>) {
     return detail::visit([&a](const auto& held) { return decide(a, held); }, b);
+  } else if constexpr (is_mesh<A> && is_mesh<B>) {
+    return relation_of_meshes(a, b);
   } else if constexpr (is_compound<A> || (is_mesh<A> && !is_compound<B>)) {
     return relation_of_parts(a, b);
   } else if constexpr (HasParts<B>) {
     return relation_of_parts(b, a);
+  } else if constexpr (are_exchanged<A, B>) {
+    return decide(b, a);
   } else if constexpr (is_point<A> && is_point<B>) {
     return a == b ? Relation::touching : Relation::apart;
   } else if constexpr (is_point<A> && !HasClosedForm<A, B>) {
     return decide(Sphere<dimension_of<A>, scalar_of<A>>{a, 0}, b);
-  } else if constexpr (is_point<B> && !HasClosedForm<B, A>) {
-    return decide(a, Sphere<dimension_of<B>, scalar_of<B>>{b, 0});
   } else if constexpr (HasClosedForm<A, B>) {
     return unless_nan(a, b, closed_form(a, b));
   } else if constexpr (HasClosedForm<B, A>) {

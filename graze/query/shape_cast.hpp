@@ -110,12 +110,13 @@ auto cast_hit_in_range(const A& a, const Vec<dimension_of<A>, double>& motion, c
 template <class A, class B, class Target>
 std::optional<CastHit<dimension_of<A>>> cast_hit_in_any_order(const A& a, const Vec<dimension_of<A>, double>& motion,
                                                               const B& b, Target target) {
-  if constexpr (type_place<A> < type_place<B>) {
-    return cast_hit_in_order(a, motion, b, target);
-  } else if constexpr (type_place<A> > type_place<B>) {
+  if constexpr (are_exchanged<A, B>) {
     return exchanged_cast_hit(a, motion, b, target);
   } else {
-    return is_in_order(a, b) ? cast_hit_in_order(a, motion, b, target) : exchanged_cast_hit(a, motion, b, target);
+    if constexpr (are_in_either_order<A, B>) {
+      if (!is_in_order(a, b)) return exchanged_cast_hit(a, motion, b, target);
+    }
+    return cast_hit_in_order(a, motion, b, target);
   }
 }
 

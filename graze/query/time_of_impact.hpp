@@ -201,17 +201,13 @@ bool do_glide(const MotionOf<A>& motion_a, const MotionOf<A>& motion_b) {
 
 // ---- Any two simple shapes
 
-/// Independent of the order of arguments.
+/// For two shapes in order.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple_motion(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                                   const MotionOf<A>& motion_b) {
-  if (do_glide<A, B>(motion_a, motion_b)) {
-    return is_in_order(a, b) ? cast_hit_of_gliding(a, motion_a, b, motion_b)
-                             : with_normal_turned(cast_hit_of_gliding(b, motion_b, a, motion_a));
-  }
+  if (do_glide<A, B>(motion_a, motion_b)) return cast_hit_of_gliding(a, motion_a, b, motion_b);
   if constexpr (is_endless<A> && is_endless<B>) {
-    return is_in_order(a, b) ? cast_hit_of_endless(a, motion_a, b, motion_b)
-                             : with_normal_turned(cast_hit_of_endless(b, motion_b, a, motion_a));
+    return cast_hit_of_endless(a, motion_a, b, motion_b);
   } else if constexpr (is_ray<A>) {
     return with_normal_turned(cast_hit_of_moving(b, motion_b, piece_of_ray(a, motion_a, b, motion_b), motion_a));
   } else if constexpr (is_ray<B>) {
@@ -226,8 +222,8 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple_motion(const A& a, co
   }
 }
 
-/// Shapes that start nearer to each other than GJK can resolve a direction touch at the start; their normal is that of
-/// their distance.
+/// For two shapes in order. Shapes that start nearer to each other than GJK can resolve a direction touch at the start;
+/// their normal is that of their distance.
 template <class A, class B>
 std::optional<CastHit<dimension_of<A>>> cast_hit_of_simple(const A& a, const MotionOf<A>& motion_a, const B& b,
                                                            const MotionOf<A>& motion_b) {
@@ -290,13 +286,14 @@ std::optional<CastHit<N>> cast_hit_of_moving_parts(const Whole<N, T>& whole, con
   FirstPart first;
   const Aabb<N, T> box = touching_bounds(shape);
   MayTouchInMotion<N, T> may_touch(motion, box, motion_of_shape);
-  visit_parts(whole, may_touch, NearBox<N, T>{box}, [&](const auto& part, std::size_t index) {
+  const auto visit = [&](const auto& part, std::size_t index) {
     const std::optional<CastHit<N>> found = find(part.shape);
     if (!found || !first.is_replaced_by(found->t, index)) return true;
     best = found;
     may_touch.end_at(found->t);
     return true;
-  });
+  };
+  visit_parts(whole, may_touch, NearBox<N, T>{box}, PartVisitor<Whole<N, T>>(visit));
   return best;
 }
 
@@ -317,7 +314,12 @@ std::optional<CastHit<dimension_of<A>>> cast_hit_in_motion(const A& a, const Mot
   } else if constexpr (HasParts<B>) {
     return cast_hit_of_moving_parts(b, motion_b, a, motion_a,
                                     [&](const auto& part) { return cast_hit_in_motion(a, motion_a, part, motion_b); });
+  } else if constexpr (are_exchanged<A, B>) {
+    return with_normal_turned(cast_hit_in_motion(b, motion_b, a, motion_a));
   } else {
+    if constexpr (are_in_either_order<A, B>) {
+      if (!is_in_order(a, b)) return with_normal_turned(cast_hit_of_simple(b, motion_b, a, motion_a));
+    }
     return cast_hit_of_simple(a, motion_a, b, motion_b);
   }
 }

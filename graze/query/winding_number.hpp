@@ -17,15 +17,15 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 
 #include <graze/math/orientation.hpp>
 #include <graze/math/orientation_3d.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/query/parts/on_way.hpp>
 #include <graze/query/parts/visit.hpp>
-#include <graze/shape/aabb.hpp>
 #include <graze/shape/mesh.hpp>
 #include <graze/shape/mesh/flat_triangle.hpp>
 #include <graze/shape/triangle.hpp>
@@ -74,34 +74,47 @@ int passage(const Triangle<2, T>& face, const Vec<2, T>& point) {
   return turn_around_displaced(face.a, face.b, face.c, point);
 }
 
-/// The signed solid angle of the strip from the edge a, b toward -x, as seen from the point, over 4 pi. Van Oosterom
-/// and Strackee, "The Solid Angle of a Plane Triangle" (1983), with the corners b, a and the direction -x. The exact
-/// turn tells the sign where rounding hides it, so that the sum jumps exactly where the number of passages does.
+/// Whether a corner is at the displaced point or, seen from it, along x. The strips from there run through the point.
+inline bool is_on_axis(const Vec<3, double>& seen) { return seen[1] == 0 && seen[2] == 0 && seen[0] >= 0; }
+
+/// The length of a vector minus its x, without cancellation.
+inline double length_beyond_x(const Vec<3, double>& v) {
+  const double across = v[1] * v[1] + v[2] * v[2];
+  const double length = std::sqrt(v[0] * v[0] + across);
+  return v[0] > 0 ? across / (length + v[0]) : length - v[0];
+}
+
+/// Half the solid angle of the strip from an edge toward -x, whose corners the displaced point sees at u and v. Van
+/// Oosterom and Strackee, "The Solid Angle of a Plane Triangle" (1983), with the corners u, v and the direction -x. A
+/// corner on the axis is seen along -z, as far away as the displacement.
+inline double half_angle_of_strip(Vec<3, double> u, Vec<3, double> v) {
+  if (is_on_axis(v)) std::swap(u, v);
+  if (is_on_axis(u)) {
+    if (u[0] > 0) return std::atan2(std::fabs(v[1]), -v[2]);
+    u = {0, 0, -1};
+  }
+  const double size = std::fabs(u[1] * v[2] - u[2] * v[1]);
+  return std::atan2(size, length_beyond_x(u) * length_beyond_x(v) + u[1] * v[1] + u[2] * v[2]);
+}
+
+/// The signed solid angle of the strip from the edge a, b toward -x, as seen from the point, over 4 pi. The exact turn
+/// tells the sign where rounding hides it, so that the sum jumps exactly where the number of passages does.
 template <class T>
 double share_of_strip(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& point) {
+  const int turn = turn_to_displaced(seen_along(0, a), seen_along(0, b), seen_along(0, point));
+  if (turn == 0) return 0;
   const Vec<3, double> from = wide<3, T>(point);
-  const Vec<3, double> u = wide<3, T>(b) - from;
-  const Vec<3, double> v = wide<3, T>(a) - from;
-  const double length_u = std::sqrt(dot(u, u));
-  const double length_v = std::sqrt(dot(v, v));
-  const double size = std::fabs(u[1] * v[2] - u[2] * v[1]);
-  const double turn = turn_to_displaced(seen_along(0, a), seen_along(0, b), seen_along(0, point));
-  const double away = length_u * length_v + dot(u, v) - u[0] * length_v - v[0] * length_u;
-  return turn * std::atan2(size, away) / (2 * std::numbers::pi);
+  return turn * half_angle_of_strip(wide<3, T>(b) - from, wide<3, T>(a) - from) / (2 * std::numbers::pi);
 }
 
 /// The number of times the faces run around a point, without the strips of open edges.
 template <Dim N, class T>
 int passages(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
-  Aabb<N, T> way{point, point};
-  if constexpr (N == 3) way.max[0] = std::numeric_limits<T>::infinity();
   int sum = 0;
-  visit_parts(
-      mesh, [&way](const Aabb<N, T>& box) { return boxes_overlap(box, way); },
-      [&](const FacePart<N, T>& face, std::size_t) {
-        sum += passage(face.shape, point);
-        return true;
-      });
+  visit_parts(mesh, MayBeOnWay<N, T>{point}, [&](const FacePart<N, T>& face, std::size_t) {
+    sum += passage(face.shape, point);
+    return true;
+  });
   return sum;
 }
 

@@ -13,13 +13,13 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/distance.hpp>
 #include <graze/query/manifold.hpp>
-#include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/query/time_of_impact.hpp>
 #include <graze/scene/plain_scene.hpp>
 #include <graze/scene/scene_query.hpp>
+#include <graze/scene/storage/hit_with_face.hpp>
 #include <graze/scene/storage/meets_inflated.hpp>
 
 namespace graze {
@@ -289,7 +289,7 @@ std::vector<ObjectHit<N, T>> PlainScene<N, T>::ray_cast_all(const Ray<N, T>& ray
   std::vector<ObjectHit<N, T>> result;
   for (const auto& [id, object] : objects_) {
     if (!detail::admits(query, id, object.layer)) continue;
-    if (const auto hit = graze::ray_cast(object.shape, ray, t_max)) result.push_back({id, *hit});
+    if (const auto hit = detail::hit_with_face(object.shape, ray, t_max)) result.push_back({id, *hit});
   }
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.hit.t < b.hit.t; });
   return result;

@@ -10,9 +10,9 @@
 
 #include <graze/broad/index/path_filter.hpp>
 #include <graze/math/vec.hpp>
-#include <graze/query/ray_cast.hpp>
 #include <graze/scene/scene_query.hpp>
 #include <graze/scene/scene_view.hpp>
+#include <graze/scene/storage/hit_with_face.hpp>
 #include <graze/shape/any_shape.hpp>
 
 namespace graze {
@@ -44,7 +44,7 @@ std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>& ray, T
     if (best && best->id == id) return;
     // The limit is t_max, not the best hit so far: which of two nearly equal hits is first must not depend on their
     // order here.
-    const auto hit = graze::ray_cast(in_slot(id.index).shape, ray, t_max);
+    const auto hit = detail::hit_with_face(in_slot(id.index).shape, ray, t_max);
     if (!hit) return;
     const ObjectHit<N, T> found{id, *hit};
     if (!best || comes_first(found, *best)) best = found;
@@ -67,7 +67,7 @@ std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>& ray,
   require_ray(ray, t_max);
   std::vector<ObjectHit<N, T>> result;
   for (const ObjectId& id : near_way(ray, t_max, query)) {
-    if (const auto hit = graze::ray_cast(in_slot(id.index).shape, ray, t_max)) result.push_back({id, *hit});
+    if (const auto hit = detail::hit_with_face(in_slot(id.index).shape, ray, t_max)) result.push_back({id, *hit});
   }
   std::sort(result.begin(), result.end(), comes_first<N, T>);
   return result;

@@ -21,7 +21,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/impact.hpp>
 #include <graze/query/manifold.hpp>
-#include <graze/query/ray_hit.hpp>
+#include <graze/query/mesh_hit.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/scene/events.hpp>
 #include <graze/scene/filter.hpp>
@@ -57,8 +57,8 @@ struct NearPair {
 /// An object that a ray hits, and the hit.
 template <Dim N, class T = float>
 struct ObjectHit {
-  ObjectId id;       ///< Names the object.
-  RayHit<N, T> hit;  ///< Where the ray meets the object's shape.
+  ObjectId id;        ///< Names the object.
+  MeshHit<N, T> hit;  ///< Where the ray meets the object's shape; with a face if that is a mesh.
 
   friend bool operator==(const ObjectHit&, const ObjectHit&) = default;
 };

@@ -41,7 +41,8 @@ const PlacedMesh<N, T>& placed(const Mesh<N, T>& mesh);
 template <Dim N, class T = float>
 class Mesh {
  public:
-  Mesh() : Mesh({}, {}, MeshKind::surface) {}
+  Mesh()
+      : Mesh(std::make_shared<const Data>(std::vector<Vec<N, T>>(), Faces(), MeshKind::surface, detail::OneByOne())) {}
 
   /// Whether it is a surface or a solid.
   MeshKind kind() const { return placed_->data()->kind(); }
@@ -58,16 +59,16 @@ class Mesh {
 
  private:
   using Data = detail::MeshData<N, T>;
+  using Faces = typename Data::Faces;
   using Placed = detail::PlacedMesh<N, T>;
 
-  Mesh(std::vector<Vec<N, T>> vertices, std::vector<std::array<std::uint32_t, 3>> faces, MeshKind kind)
-      : Mesh(std::make_shared<const Data>(std::move(vertices), std::move(faces), kind)) {}
   explicit Mesh(std::shared_ptr<const Data> data) : placed_(std::make_shared<const Placed>(std::move(data))) {}
   explicit Mesh(std::shared_ptr<const Placed> placed) : placed_(std::move(placed)) {}
 
-  template <Dim M, class U>
+  template <Dim M, class U, class Executor>
   friend Mesh<M, U> mesh_of(std::type_identity_t<std::span<const Vec<M, U>>> vertices,
-                            std::span<const std::array<std::uint32_t, 3>> faces, MeshKind kind);
+                            std::span<const std::array<std::uint32_t, 3>> faces, MeshKind kind,
+                            const Executor& executor);
   template <Dim M, class U>
   friend Mesh<M, U> moved(const Mesh<M, U>& mesh, std::type_identity_t<std::span<const Vec<M, U>>> vertices);
   template <Dim M, class U>
@@ -119,15 +120,24 @@ inline void check_faces(std::span<const std::array<std::uint32_t, 3>> faces, std
 
 }  // namespace detail
 
+/// The next, built by the threads of an Executor (broad/executor.hpp): the mesh does not depend on it.
+template <Dim N, class T, class Executor>
+Mesh<N, T> mesh_of(std::type_identity_t<std::span<const Vec<N, T>>> vertices,
+                   std::span<const std::array<std::uint32_t, 3>> faces, MeshKind kind, const Executor& executor) {
+  using Data = detail::MeshData<N, T>;
+  detail::check_vertices<N, T>("mesh_of", vertices);
+  detail::check_faces(faces, vertices.size());
+  return Mesh<N, T>(std::make_shared<const Data>(std::vector<Vec<N, T>>(vertices.begin(), vertices.end()),
+                                                 typename Data::Faces(faces.begin(), faces.end()), kind, executor));
+}
+
 /// A mesh of vertices and faces, which are copied. Any faces are accepted: open or closed, crossing each other, flat,
 /// equal, or none; `report` tells. Vertices are equal only if their indices are: see `welded`. Throws
 /// std::invalid_argument, naming the vertex or face, if a coordinate is not finite or an index is not that of a vertex.
 template <Dim N, class T>
 Mesh<N, T> mesh_of(std::type_identity_t<std::span<const Vec<N, T>>> vertices,
                    std::span<const std::array<std::uint32_t, 3>> faces, MeshKind kind = MeshKind::surface) {
-  detail::check_vertices<N, T>("mesh_of", vertices);
-  detail::check_faces(faces, vertices.size());
-  return Mesh<N, T>({vertices.begin(), vertices.end()}, {faces.begin(), faces.end()}, kind);
+  return mesh_of<N, T>(vertices, faces, kind, detail::OneByOne());
 }
 
 /// The overload for any contiguous range of points.
@@ -171,7 +181,7 @@ Mesh<N, T> transformed(const Mesh<N, T>& mesh, const Pose<N, T>& pose) {
   for (Dim j = 0; j < N; ++j) is_ok = is_ok && is_finite(both.rotation[j]);
   auto placed = std::make_shared<const detail::PlacedMesh<N, T>>(before.data(), both);
   const Aabb<N, T>& box = placed->box();
-  if (!is_ok || (!is_nothing(box) && !(is_finite(box.min) && is_finite(box.max)))) {
+  if (!is_ok || (!mesh.faces().empty() && !(is_finite(box.min) && is_finite(box.max)))) {
     GRAZE_THROW(std::invalid_argument("transformed: a vertex has a coordinate that is not finite"));
   }
   return Mesh<N, T>(std::move(placed));

@@ -41,10 +41,35 @@ TEST(SceneFile, FormatsAreToldApartByContent) {
   EXPECT_EQ(parse(tmj).format, "tiled");
 }
 
+TEST(SceneFile, MeshFilesAreScenesOfTheirParts) {
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\no a\nf 1 2 3\no b\nf 1 2 3\n";
+  const SceneFile file = parse(obj);
+  EXPECT_EQ(file.format, "obj");
+  const auto& scene = std::get<Scene<3, double>>(file.scene);
+  ASSERT_EQ(scene.size(), 2U);
+  EXPECT_EQ(scene.pairs().size(), 1U);
+  EXPECT_TRUE(scene.find("b"));
+  EXPECT_EQ(parse("OFF\n0 0 0\n").format, "off");
+  EXPECT_EQ(parse("solid a\nendsolid a\n").format, "stl");
+  EXPECT_EQ(parse(R"({"asset": {"version": "2.0"}})").format, "gltf");
+}
+
+TEST(SceneFile, ClosedMeshesBecomeSolidsIfThatIsWanted) {
+  const std::string off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  const auto kind_of = [](const SceneFile& file) {
+    const auto& scene = std::get<Scene<3, double>>(file.scene);
+    return std::get<Mesh<3, double>>(scene.object(scene.ids().front()).shape).kind();
+  };
+  EXPECT_EQ(kind_of(parse(off)), MeshKind::surface);
+  EXPECT_EQ(kind_of(parse_scene(off, "a file", ".", {MeshKind::solid})), MeshKind::solid);
+}
+
 TEST(SceneFile, WhatIsNoSceneIsRefusedWithTheListOfFormats) {
-  EXPECT_EQ(refusal("hello\nworld, x"),
-            "a file: not a scene; graze reads its own JSON (begins with {), CSV (begins with a line like "
-            "id,min_x,min_y,max_x,max_y or x,y,radius) and maps of Tiled, .tmx or .tmj (begin with < or {)");
+  EXPECT_EQ(
+      refusal("hello\nworld, x"),
+      "a file: not a scene; graze reads its own JSON (begins with {), CSV (begins with a line like "
+      "id,min_x,min_y,max_x,max_y or x,y,radius), maps of Tiled, .tmx or .tmj (begin with < or {), and meshes in STL, "
+      "OBJ, PLY, OFF and glTF 2.0 (.gltf, .glb)");
   EXPECT_EQ(refusal("\x01\x02\r\n").find("a file: not a scene; graze reads"), 0U);
   EXPECT_EQ(refusal("[gd_scene format=3]\n").find("a file: this is a Godot scene; "), 0U);
   EXPECT_EQ(refusal(std::string("\xFF\xFE{\0", 4)), "a file: this is UTF-16; save it as UTF-8");

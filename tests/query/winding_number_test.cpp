@@ -59,6 +59,22 @@ class WindingNumber : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(WindingNumber, Scalars);
 
+// There the strips from two edges of the hole run through the point.
+TYPED_TEST(WindingNumber, IsDefinedWhereACornerOfAHoleIsAheadAlongX) {
+  using T = TypeParam;
+  const std::vector<Vec<3, T>> corners = {{0, 0, 0}, {0, 0, 1}, {0, -3, -2}};
+  const std::vector<MeshFace> faces = {{0, 1, 2}};
+  const Mesh<3, T> mesh = mesh_of<3, T>(corners, faces);
+  for (const Vec<3, T>& corner : corners) {
+    for (const T back : {T(1), T(100), T(0.125)}) {
+      const Vec<3, T> point = corner - Vec<3, T>(back, T(0), T(0));
+      const Vec<3, T> beside = point + Vec<3, T>(T(0), T(1e-6), T(1e-6));
+      EXPECT_NEAR(winding_number(mesh, point), sum_of_solid_angles(mesh, point), 1e-12);
+      EXPECT_NEAR(winding_number(mesh, beside), winding_number(mesh, point), 1e-4);
+    }
+  }
+}
+
 TYPED_TEST(WindingNumber, IsTheSumOfSolidAnglesForAnyFaces) {
   using T = TypeParam;
   std::size_t far_from_faces = 0;

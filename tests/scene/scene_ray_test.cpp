@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <random>
 #include <stdexcept>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,6 +18,7 @@
 #include <graze/scene/scene.hpp>
 
 #include "catalogue.hpp"
+#include "meshes.hpp"
 
 namespace graze::scene_ray_test {
 namespace {
@@ -28,6 +31,14 @@ std::vector<ObjectId> ids_of(const std::vector<ObjectHit<2, double>>& hits) {
   std::vector<ObjectId> ids;
   for (const auto& each : hits) ids.push_back(each.id);
   return ids;
+}
+
+/// With the face of a mesh.
+template <Dim N, class T>
+std::optional<MeshHit<N, T>> hit_of(const AnyShape<N, T>& shape, const Ray<N, T>& ray, T t_max) {
+  if (const auto* const mesh = std::get_if<Mesh<N, T>>(&shape)) return ray_cast(*mesh, ray, t_max);
+  const auto hit = ray_cast(shape, ray, t_max);
+  return hit ? std::optional(MeshHit<N, T>{*hit}) : std::nullopt;
 }
 
 TEST(SceneRay, HitsObjectsInOrder) {
@@ -60,6 +71,22 @@ TEST(SceneRay, AmongEqualHitsTheLowestIdIsFirst) {
   EXPECT_EQ(scene.ray_cast(Way{{2.5, 0}, {1, 0}})->hit.t, 0);  // from inside
 }
 
+TEST(SceneRay, HitsOfMeshesHaveAFace) {
+  Scene<3, double> scene;
+  const Mesh<3, double> box = test::box_mesh<double>({{2, -1, -1}, {4, 1, 1}});
+  scene.add(box);
+  const ObjectId ball = scene.add(Sphere<3, double>{{8, 0, 0}, 1});
+  const Ray<3, double> ray{{0, 0.25, 0.5}, {1, 0, 0}};
+  const auto hits = scene.ray_cast_all(ray);
+  ASSERT_EQ(hits.size(), 2U);
+  EXPECT_EQ(hits[0].hit, *ray_cast(box, ray));
+  EXPECT_LT(hits[0].hit.face, box.faces().size());
+  EXPECT_EQ(hits[1].id, ball);
+  EXPECT_EQ(hits[1].hit.face, no_face);
+  EXPECT_EQ(scene.ray_cast(ray)->hit, hits[0].hit);
+  EXPECT_EQ(scene.ray_cast({{3, 0, 0}, {1, 0, 0}})->hit.face, no_face);
+}
+
 TEST(SceneRay, NonsenseIsRefused) {
   const World scene;
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -80,7 +107,7 @@ void check_against_every_object() {
   std::vector<ObjectHit<N, T>> expected;
   for (const ObjectId id : scene.ids()) {
     RC_LOG() << test::to_source<N, T>(scene.object(id).shape) << "\n";
-    if (const auto hit = ray_cast(scene.object(id).shape, ray, t_max)) expected.push_back({id, *hit});
+    if (const auto hit = hit_of(scene.object(id).shape, ray, t_max)) expected.push_back({id, *hit});
   }
   RC_LOG() << test::to_source(ray) << ", " << t_max << "\n";
   std::stable_sort(expected.begin(), expected.end(), [](const auto& a, const auto& b) { return a.hit.t < b.hit.t; });

@@ -217,7 +217,8 @@ TEST(SceneView, FindsWhatTouchesAFarPartOfACompoundThatIsNotBounded) {
     const auto& way = std::get<Ray<2, double>>(ray);
     const auto hit = graze::ray_cast(compound, way);
     ASSERT_TRUE(hit.has_value());
-    EXPECT_EQ(scene.ray_cast_all(way), (std::vector<ObjectHit<2, double>>{{b, *graze::ray_cast(ray, way)}, {a, *hit}}));
+    EXPECT_EQ(scene.ray_cast_all(way),
+              (std::vector<ObjectHit<2, double>>{{b, {*graze::ray_cast(ray, way)}}, {a, {*hit}}}));
     // Repaired, because only one of many has moved.
     for (int k = 0; k < 40; ++k) scene.add(Ball{{-9.0 - 9 * k, 0}, 1});
     scene.move(a, Ball{{-9, 9}, 1});

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -106,18 +108,53 @@ TYPED_TEST(MeshIn, MovesEachVertexAsAPoint) {
   });
 }
 
+/// The corners of all faces in the order of the tree.
+std::vector<Vec<3, double>> corners_in_tree(const Mesh<3, double>& mesh) {
+  std::vector<Vec<3, double>> corners;
+  for (std::size_t place = 0; place < mesh.faces().size(); ++place) {
+    for (const auto& corner : detail::placed(mesh).triangle_in_tree(place).vertices()) corners.push_back(corner);
+  }
+  return corners;
+}
+
 TEST(Mesh, MovedFarBetweenItsVerticesHasANewTree) {
   rc::Random random(1);
   const Mesh<3, double> ball = test::bumpy_ball<double>(12, 16, random);
   std::vector<Vec<3, double>> vertices(ball.vertices().begin(), ball.vertices().end());
-  const auto total_size = [](const Mesh<3, double>& mesh) {
-    return detail::placed(mesh).data()->tree().size_of_boxes();
-  };
   for (Vec<3, double>& vertex : vertices) vertex *= 2;
-  EXPECT_DOUBLE_EQ(total_size(moved<3, double>(ball, vertices)), total_size(ball));
+  std::vector<Vec<3, double>> same_order = corners_in_tree(ball);
+  for (Vec<3, double>& corner : same_order) corner *= 2;
+  EXPECT_EQ(corners_in_tree(moved<3, double>(ball, vertices)), same_order);
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = ball.vertices()[i * 97 % vertices.size()];
   const Mesh<3, double> mixed = moved<3, double>(ball, vertices);
-  EXPECT_DOUBLE_EQ(total_size(mixed), total_size(mesh_of<3, double>(vertices, ball.faces())));
+  EXPECT_EQ(corners_in_tree(mixed), corners_in_tree(mesh_of<3, double>(vertices, ball.faces())));
+}
+
+/// Runs all tasks at the same time, or from the last to the first.
+struct Disorder {
+  template <class Task>
+  void parallel_for(std::size_t count, const Task& task) const {
+    if (is_parallel) {
+      std::vector<std::thread> threads;
+      for (std::size_t i = 0; i < count; ++i) threads.emplace_back([&task, i] { task(i); });
+      for (std::thread& thread : threads) thread.join();
+    } else {
+      for (std::size_t i = count; i > 0; --i) task(i - 1);
+    }
+  }
+
+  bool is_parallel;
+};
+
+TEST(Mesh, IsTheSameWhoeverBuildsIt) {
+  rc::Random random(2);
+  const Mesh<3, double> ball = test::bumpy_ball<double>(200, 250, random);
+  ASSERT_GT(ball.faces().size(), 5 * detail::length_of_piece);
+  for (const bool is_parallel : {false, true}) {
+    const Mesh<3, double> other = mesh_of<3, double>(ball.vertices(), ball.faces(), ball.kind(), Disorder{is_parallel});
+    EXPECT_EQ(corners_in_tree(other), corners_in_tree(ball));
+    EXPECT_EQ(other.kind(), ball.kind());
+  }
 }
 
 }  // namespace

@@ -42,6 +42,14 @@ class CheckLayers(TreeTest):
         self.write_header("graze/query/text.hpp", "#include <fmt/format.h>\n")
         self.assert_problem("graze/query/text.hpp:3: includes fmt/format.h, but graze::geometry")
 
+    def test_the_c_interface_includes_c_alone(self):
+        self.write("bindings/c/graze.h", f"{LICENSE}#include <stdint.h>\n")
+        self.assertEqual(self.run_tool("check_layers.py")[0], 0)
+        self.write("bindings/c/graze.h", f"{LICENSE}#include <cstdint>\n")
+        self.assert_problem("bindings/c/graze.h:2: includes cstdint, which is C++; the C interface may include C alone")
+        self.write("bindings/c/examples/balls.c", f"{LICENSE}#include <graze/shape/sphere.hpp>\n")
+        self.assert_problem("bindings/c/examples/balls.c:2: includes graze/shape/sphere.hpp, which is C++")
+
     def test_the_geometry_throws_by_the_macro(self):
         self.write_header("graze/shape/sphere.hpp", "inline void f() {}  // does not throw\ninline void g() { throw 1; }\n")
         self.assert_problem("graze/shape/sphere.hpp:4: uses throw, try or catch; use GRAZE_THROW")

@@ -69,6 +69,22 @@ class CheckTidy(TreeTest):
         self.assertIn("2 files in 1 units, 1 of them changed, 1 findings", said)
         self.assertEqual(status, 1)
 
+    def test_examples_that_are_compiled_together_are_looked_at_with_those_compiled_alone(self):
+        commands = []
+        (self.tree / "apps/main.cpp").unlink()
+        self.write(".clang-tidy", "Checks: '-*,readability-container-size-empty'\nWarningsAsErrors: '*'\n"
+                   "HeaderFilterRegex: '/examples/'\n")
+        for name in ("one", "two"):
+            self.write(f"examples/{name}.cpp", f"{LICENSE}#include <vector>\n"
+                       "int main() {\n  return std::vector<int>().size() == 0; }\n")
+        together = self.tree / "build/lint/examples/together"
+        self.write(together / "main_of_one.cpp", "int main_of_one();\nint main() { return main_of_one(); }\n")
+        self.write(together / "all.cpp", f'#include "{self.tree}/examples/one.cpp"\n')
+        for file in (together / "main_of_one.cpp", together / "all.cpp", self.tree / "examples/two.cpp"):
+            commands.append({"directory": str(self.tree), "command": f"g++ -std=c++20 -c '{file}'", "file": str(file)})
+        self.write("build/lint/compile_commands.json", json.dumps(commands))
+        self.assertIn("2 files in 1 units, 1 of them changed, 2 findings", self.run_tool("check_tidy.py")[1])
+
     def test_what_cmake_makes_of_a_template_is_looked_at_as_what_lies_beside_the_template(self):
         self.write("tests/.clang-tidy", "Checks: '-*,bugprone-integer-division'\nWarningsAsErrors: '*'\n")
         made = self.tree / "build/lint/tests/made_2d_float.cpp"

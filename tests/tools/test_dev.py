@@ -3,8 +3,10 @@
 called."""
 
 import os
+import re
 import shutil
 import subprocess
+import tarfile
 import unittest
 
 from project_tree import ROOT, TreeTest
@@ -15,8 +17,8 @@ class DevTest(TreeTest):
         super().setUp()
         shutil.copy(ROOT / "dev", self.tree / "dev")
         (self.tree / "tools").mkdir(exist_ok=True)
-        for part in ("dev_mpi.sh", "dev_python.sh"):
-            shutil.copy(ROOT / "tools" / part, self.tree / "tools" / part)
+        for part in (ROOT / "tools").glob("dev_*.sh"):
+            shutil.copy(part, self.tree / "tools" / part.name)
         self.write_program("bin/cmake", 'echo "cmake $*" >&2')
 
     def write_program(self, path, body):
@@ -31,7 +33,7 @@ class DevTest(TreeTest):
     def test_help_names_every_command(self):
         done = self.dev("help")
         self.assertEqual(done.returncode, 0)
-        for command in ("demo", "test", "lint", "bench", "exam", "web", "mpi", "python", "clean", "help"):
+        for command in ("demo", "test", "lint", "bench", "exam", "web", "mpi", "python", "cross", "package", "release", "clean", "help"):
             self.assertRegex(done.stdout, rf"(?m)^  {command}\b")
 
     def test_an_unknown_command_is_told_the_known_ones(self):
@@ -51,7 +53,7 @@ class DevTest(TreeTest):
             self.write_program(f"build/bench/bench/{name}", 'echo "$(basename "$0"): $*"')
         done = self.dev("bench", "fast")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("there is no benchmark 'fast'; they are: bounding graze_peers", done.stderr)
+        self.assertIn("there is no benchmark 'fast'; they are: bounding graze_peers python", done.stderr)
         self.assertEqual(self.dev("bench", "bounding", "--quick").stdout, "bounding: --quick\n")
         everything = self.dev("bench").stdout
         self.assertIn("bounding: \n", everything)
@@ -75,6 +77,13 @@ class DevTest(TreeTest):
         self.assertEqual(words[2:], ["[--output]", "[build/exam/accuracy.json]", "[--cases]", "[20]", "[--pairs]", "[3D float obb, triangle]"])
         self.assertIn("cmake --build --preset exam", done.stderr)
         self.assertIn("--target graze_exam", done.stderr)
+
+    def test_the_exam_on_meshes_reads_the_paths_that_it_is_given(self):
+        self.write("part.stl", "")
+        self.write_program("build/exam/bin/graze_mesh_exam", 'echo "$*"')
+        done = self.dev("exam", "meshes", "--rays", "5", "part.stl")
+        self.assertEqual(done.stdout, "--rays 5 part.stl\n")
+        self.assertIn("--target graze_mesh_exam", done.stderr)
 
     def test_the_exam_prints_tables_of_what_it_has_written_and_fails_when_an_answer_was_wrong(self):
         self.write_program("build/exam/bin/graze_exam", 'echo data >build/exam/accuracy.json; exit 1')
@@ -126,6 +135,22 @@ class DevTest(TreeTest):
             self.assertRegex(done.stderr, rf"(?m)^cmake --build --preset {preset} ")
             self.assertEqual(done.stdout, f"ctest --preset {preset}\n")
 
+    def test_cross_builds_and_runs_the_tests_of_its_presets(self):
+        self.write_program("bin/ctest", 'echo "ctest $*"')
+        for source in ("pugixml/src/pugixml.cpp", "rapidcheck/include/rapidcheck.h", "highway/hwy/targets.cc"):
+            self.write(f"build/{source}", "")
+        for words, presets in ((["arm64"], ["arm64"]), (["all"], ["arm64", "windows", "libcxx"])):
+            done = self.dev("cross", *words)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(re.findall(r"(?m)^cmake --build --preset (\w+) ", done.stderr), presets)
+            self.assertEqual(done.stdout, "".join(f"ctest --preset {preset}\n" for preset in presets))
+
+    def test_cross_refuses_other_words(self):
+        for words in ([], ["vax"], ["arm64", "windows"]):
+            done = self.dev("cross", *words)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("cross takes one word: arm64, windows, libcxx or all", done.stderr)
+
     def test_mpi_refuses_other_words(self):
         for words in ([], ["tests"], ["test", "tsan"], ["test", "asan", "more"]):
             done = self.dev("mpi", *words)
@@ -140,6 +165,12 @@ class DevTest(TreeTest):
           *venv*) mkdir -p "$4/bin"; cp inner "$4/bin/python"; cp bin/cmake "$4/bin/pip" ;;
         esac""")
         return str(self.tree / "bin/python")
+
+    def test_the_benchmark_of_python_runs_with_its_options(self):
+        done = self.dev("bench", "python", "--quick", GRAZE_PYTHON=self.write_python(""))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("cmake --build --preset python-bench", done.stderr)
+        self.assertIn("bench/python/table.py --quick", done.stderr)
 
     def test_python_builds_a_wheel_and_says_where_it_is(self):
         done = self.dev("python", GRAZE_PYTHON=self.write_python(""))
@@ -166,6 +197,52 @@ class DevTest(TreeTest):
         done = self.dev("python", "wheel")
         self.assertEqual(done.returncode, 2)
         self.assertIn("python takes the word test, but was given: wheel", done.stderr)
+
+    def commit_tree(self):
+        """Makes the tree a checkout with one commit, of version 1.2.3."""
+        self.write("CMakeLists.txt", "project(graze VERSION 1.2.3 LANGUAGES CXX)\n")
+        self.write("packaging/vcpkg/graze/portfile.cmake", "# the port\n")
+        self.write(".gitignore", "/build/\n")
+        git = ["git", "-C", self.tree, "-c", "user.name=a", "-c", "user.email=a@b.example"]
+        for words in (["init", "-q"], ["add", "-A"], ["commit", "-q", "-m", "All", "--date=2020-01-01T00:00:00Z"]):
+            subprocess.run([*git, *words], check=True, capture_output=True)
+
+    def test_the_source_package_has_the_same_bytes_again_and_leaves_changes_out(self):
+        self.commit_tree()
+        archive = self.tree / "build/package/graze-1.2.3.tar.gz"
+        self.assertEqual(self.dev("package", "source").stdout, "the source: build/package/graze-1.2.3.tar.gz\n")
+        first = archive.read_bytes()
+        self.write("later.txt", "a change")
+        done = self.dev("package", "source")
+        self.assertIn("without later changes", done.stderr)
+        self.assertEqual(archive.read_bytes(), first)
+        with tarfile.open(archive) as members:
+            self.assertIn("graze-1.2.3/CMakeLists.txt", members.getnames())
+            self.assertNotIn("graze-1.2.3/later.txt", members.getnames())
+
+    def test_a_packed_recipe_contains_the_source_and_dates_of_the_commit_alone(self):
+        self.commit_tree()
+        archive = self.tree / "build/package/graze-1.2.3-vcpkg.tar.gz"
+        self.assertEqual(self.dev("package", "vcpkg").returncode, 0)
+        first = archive.read_bytes()
+        with tarfile.open(archive) as members:
+            self.assertLessEqual({"vcpkg/graze/portfile.cmake", "vcpkg/graze/graze-1.2.3.tar.gz"}, set(members.getnames()))
+            self.assertEqual(len({member.mtime for member in members}), 1)
+        self.assertEqual(self.dev("package", "vcpkg").returncode, 0)
+        self.assertEqual(archive.read_bytes(), first)
+
+    def test_packages_need_a_commit_and_a_known_name(self):
+        self.assertIn("packages are made from a commit", self.dev("package", "source").stderr)
+        done = self.dev("package", "rpm")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("package takes one of these words: source deb wheel npm vcpkg conan", done.stderr)
+
+    def test_a_release_refuses_changes_without_a_commit_and_a_check_without_a_release(self):
+        self.commit_tree()
+        self.write("later.txt", "a change")
+        self.assertIn("a release is made from a commit", self.dev("release").stderr)
+        self.assertIn("Run ./dev release first", self.dev("release", "check").stderr)
+        self.assertEqual(self.dev("release", "again").returncode, 2)
 
 
 if __name__ == "__main__":

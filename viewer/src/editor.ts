@@ -7,7 +7,7 @@ import type { ChapterContext } from "./chapter";
 import { cornersFor, drawingsOf } from "./drawing/drawings";
 import { MeshDrawing } from "./drawing/mesh_drawing";
 import { Paint, paintOf } from "./drawing/paint";
-import { degreesOfKey, editByKey, factorOfKey, Grasp, handlesOf } from "./held_shape";
+import { degreesOfKey, editByKey, factorOfKey, Grasp, handlesOf, heldShape } from "./held_shape";
 import type { AnyHandle, Mark } from "./overlay";
 import { gripsOf } from "./shapes/flat_edit";
 import type { ShapeType } from "./shapes/flat_shape";
@@ -178,7 +178,7 @@ export class Editor {
     if (shape === undefined) return false;
     const middle = this.#kit.middleOf(shape);
     if (this.#kit.dimension === 3) {
-      return editByKey(this.#context.stage, { name: "", shape, middle, edit: (edited) => this.replace(place, edited) }, key);
+      return editByKey(this.#context.stage, heldShape("", shape, middle, (edited) => this.replace(place, edited)), key);
     }
     const change: Record<string, () => Shape> = {
       "[": () => this.#kit.turned(shape, degreesOfKey, middle),
@@ -236,7 +236,7 @@ export class Editor {
       key: keyOf(grip.name), label: `${name}: ${grip.name}`, at: grip.at, onMoveInSpace: (to) => replace(grip.move(to)),
     }));
     // The shape itself can be dragged; its grip is for the keyboard.
-    const handles = handlesOf(stage, { name, shape, middle: this.#kit.middleOf(shape), edit: replace }, this.#grasp);
+    const handles = handlesOf(stage, heldShape(name, shape, this.#kit.middleOf(shape), replace), this.#grasp);
     return [...grips, ...handles.filter((handle) => handle.key !== "move").map((handle) => ({ ...handle, key: keyOf(handle.key) }))];
   }
 

@@ -2,7 +2,7 @@
 import { element } from "./dom";
 
 const keys: readonly (readonly [string, string])[] = [
-  ["1 … 8", "the tabs"],
+  ["1 … 9", "the tabs"],
   ["Tab", "the next shape, handle or control"],
   ["← → ↑ ↓", "move the focused shape or handle, or else the view; Shift: ten times as far, Alt: one pixel"],
   ["[ ]", "rotate the selected shape, in 3D about the vertical axis"],

@@ -6,8 +6,9 @@ import { chapters } from "./chapters";
 import { element, required } from "./dom";
 import { loadEngine, messageOf } from "./engine";
 import { HelpDialog } from "./help";
+import { isMeshFile } from "./meshes/mesh_files";
 import { Overlay } from "./overlay";
-import { isReport } from "./scene/files";
+import { isReport, isSceneFile } from "./scene/files";
 import { Stage } from "./stage";
 import { AddressBar, readPlace } from "./state";
 import { Theme } from "./theme";
@@ -90,10 +91,12 @@ async function start(): Promise<void> {
     return chapter !== undefined || actions[key] !== undefined;
   };
   listenToFiles((files) => {
-    const scene = chapters.find((known) => known.id === "scene");
-    if (open?.onFiles === undefined && scene !== undefined) {
-      history.replaceState(null, "", `#${scene.id}`);
-      show(scene, new URLSearchParams());
+    const current = document.documentElement.dataset["chapter"];
+    const isMesh = files.some(isMeshFile) || (current === "meshes" && !files.some(isSceneFile));
+    const wanted = chapters.find((known) => known.id === (isMesh ? "meshes" : "scene"));
+    if (wanted !== undefined && current !== wanted.id) {
+      history.replaceState(null, "", `#${wanted.id}`);
+      show(wanted, new URLSearchParams());
     }
     open?.onFiles?.(files);
   });

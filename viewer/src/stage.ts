@@ -48,6 +48,7 @@ export class Stage {
     this.#theme = theme;
     this.#renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: false });
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.#renderer.localClippingEnabled = true;
     this.#scene.add(this.world);
     this.#deep.up.set(0, 0, 1);
     this.#controls = this.#controlsFor(this.#flat);
@@ -172,6 +173,11 @@ export class Stage {
   toPixels(point: readonly number[]): Point2 {
     const seen = new THREE.Vector3(point[0], point[1], point[2] ?? 0).project(this.#camera);
     return [((seen.x + 1) / 2) * this.#width, ((1 - seen.y) / 2) * this.#height];
+  }
+
+  /** The place of the 3D camera. */
+  get eye(): number[] {
+    return this.#deep.position.toArray();
   }
 
   /** The direction of view, of length 1. */

@@ -17,7 +17,7 @@ after(async () => {
 const tabs = [
   "#intersections?selected=1", "#intersections?dimension=3&selected=2", "#closest-points", "#closest-points?dimension=3&selected=1", "#rays?mode=all",
   "#rays?mode=cast", "#rays?mode=cast&dimension=3", "#walk?x=-5", "#walk?dimension=3&x=-2.5", "#bounding-volumes", "#trees?play=no", "#trees?play=no&dimension=3", "#broad-phase?play=no&count=200",
-  "#scene?example=crossing&frame=54", "#scene?example=workshop&select=rafter+3",
+  "#meshes", "#meshes?example=knot&x=-3.6937&y=-6.0066&z=5.0479&to-x=-0.6519&to-y=-0.6237&to-z=1.539", "#meshes?example=broken", "#scene?example=crossing&frame=54", "#scene?example=workshop&select=rafter+3",
 ];
 const phone = { viewport: { width: 390, height: 760 }, hasTouch: true, isMobile: true };
 

@@ -17,13 +17,13 @@ _graze() {
     'pairs --format') COMPREPLY=($(compgen -W 'csv json' -- "$word")); return ;;
   esac
   case "$command" in
-    check) words='-h --help --format --interior --contacts --within --svg --html --output --fail-on-contact --strict' ;;
-    view) words='-h --help --html --strict' ;;
-    query) words='-h --help --log --point --nearest --box --sphere --ray --t-max --cast --motion --contacts-with --nearest-to --first --layer --format --output --strict' ;;
+    check) words='-h --help --format --interior --contacts --within --svg --html --output --fail-on-contact --solid --strict' ;;
+    view) words='-h --help --html --solid --strict' ;;
+    query) words='-h --help --log --point --nearest --box --sphere --ray --t-max --cast --motion --contacts-with --nearest-to --first --layer --format --output --solid --strict' ;;
     simulate) words='-h --help --frames --seconds-per-frame --output --log --strict' ;;
     replay) words='-h --help --shrink --format --output' ;;
-    info) words='-h --help --format --strict' ;;
-    convert) words='-h --help --strict' ;;
+    info) words='-h --help --format --solid --strict' ;;
+    convert) words='-h --help --scale --turn --solid --strict' ;;
     bench) words='-h --help --generate --seed --frames --method --order --threads --format' ;;
     generate) words='-h --help --seed --frames --output --format' ;;
     pairs) words='-h --help --generate --seed --frame --format --output' ;;

@@ -13,7 +13,8 @@ def _are_equal(a, b):
 
 
 def _result(cls):
-    """Compares arrays as a whole, because a tuple compares the truth of an array of truths, which NumPy refuses."""
+    """Compares arrays as a whole, because a tuple compares the truth of an array of truths, which NumPy refuses; and shows
+    itself as a table in notebooks."""
 
     def equals(self, other):
         if type(other) is not cls:
@@ -24,8 +25,14 @@ def _result(cls):
         result = equals(self, other)
         return result if result is NotImplemented else not result
 
+    def html(self):
+        from graze._drawing import result_html
+
+        return result_html(self)
+
     cls.__eq__ = equals
     cls.__ne__ = differs
+    cls._repr_html_ = html
     cls.__hash__ = None
     cls.__module__ = "graze"
     return cls
@@ -227,10 +234,10 @@ class NearPair(NamedTuple):
 
 @_result
 class ObjectHit(NamedTuple):
-    """An object that a ray hits."""
+    """An object that a ray hits, and the hit: a MeshHit on a face of a mesh, else a RayHit."""
 
     id: int
-    hit: RayHit
+    hit: RayHit | MeshHit
 
 
 @_result
@@ -274,6 +281,26 @@ class SceneFile(NamedTuple):
     format: str
     y_axis: str
     velocities: dict
+    warnings: list
+    omissions: list
+
+
+@_result
+class MeshPart(NamedTuple):
+    """A mesh of a file, in the file's coordinates."""
+
+    name: str
+    mesh: object
+
+
+@_result
+class MeshFile(NamedTuple):
+    """The meshes of a file; up is 'y', 'z' or None, metres_per_unit None if the format does not say."""
+
+    parts: tuple
+    format: str
+    up: "str | None"
+    metres_per_unit: "float | None"
     warnings: list
     omissions: list
 

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -108,6 +109,34 @@ py::array array_of(std::vector<Element> list, std::size_t columns) {
   if (columns == 0) return py::array_t<Number>({rows}, {step}, data, owner);
   return py::array_t<Number>({rows, static_cast<py::ssize_t>(columns)},
                              {step, static_cast<py::ssize_t>(sizeof(Number))}, data, owner);
+}
+
+/// The rows of a new array, without initial values: several threads write them before `array_of` hands them over.
+template <class Row>
+class NewRows {
+ public:
+  explicit NewRows(std::size_t count) : rows_(std::make_unique_for_overwrite<Row[]>(count)), count_(count) {}
+
+  Row& operator[](std::size_t row) { return rows_[row]; }
+  std::size_t size() const { return count_; }
+
+  /// The memory, which the caller then owns.
+  Row* release() { return rows_.release(); }
+
+ private:
+  std::unique_ptr<Row[]> rows_;
+  std::size_t count_;
+};
+
+/// The array of rows of `columns` numbers of type Number; one axis for 0 columns.
+template <class Number, class Row>
+py::array array_of(NewRows<Row> rows, std::size_t columns) {
+  static_assert(sizeof(Row) % sizeof(Number) == 0 && std::is_trivially_destructible_v<Row>);
+  std::vector<py::ssize_t> sizes = {static_cast<py::ssize_t>(rows.size())};
+  if (columns > 0) sizes.push_back(static_cast<py::ssize_t>(columns));
+  Row* const data = rows.release();
+  const py::capsule owner(data, [](void* memory) { delete[] static_cast<Row*>(memory); });
+  return py::array_t<Number>(sizes, reinterpret_cast<const Number*>(data), owner);
 }
 
 inline py::array array_of(std::vector<Pair> pairs) { return array_of<std::uint32_t>(std::move(pairs), 2); }

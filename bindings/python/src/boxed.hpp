@@ -36,6 +36,12 @@ struct Box {
 template <HasBox Value>
 inline PyTypeObject* boxed_type = nullptr;
 
+/// What to do with an object that is not of the type, for messages. Specialised for types with advice.
+template <class Value>
+struct WayOut {
+  static std::string of(py::handle /*object*/) { return ""; }
+};
+
 /// A new object of a type, or of a type derived from `boxed_type<Value>`.
 template <HasBox Value>
 py::object boxed_as(PyTypeObject* type, Value value) {
@@ -164,8 +170,13 @@ class type_caster<Value, std::enable_if_t<graze::python::HasBox<Value>>> {
   template <class>
   using cast_op_type = Value&;
 
+  /// No function is overloaded, so another type is an error, and pybind11's message about it would have no advice.
   bool load(handle source, bool /*convert*/) {
-    if (!source || !graze::python::is_boxed<Value>(source)) return false;
+    if (!source) return false;
+    if (!graze::python::is_boxed<Value>(source)) {
+      throw type_error("a graze." + std::string(name.text) + " is needed, not a " + Py_TYPE(source.ptr())->tp_name +
+                       graze::python::WayOut<Value>::of(source));
+    }
     value_ = &graze::python::unboxed<Value>(source);
     return true;
   }

@@ -22,6 +22,7 @@
 
 #include "results.hpp"
 #include "scenes.hpp"
+#include "shape_fields.hpp"
 
 namespace graze::python {
 namespace {
@@ -46,12 +47,6 @@ std::string drawn(const io::SceneFile& file) {
   });
 }
 
-py::list texts_of(const std::vector<io::Omission>& omissions) {
-  py::list texts;
-  for (const io::Omission& omission : omissions) texts.append(io::omission_text(omission));
-  return texts;
-}
-
 py::object python_file(io::SceneFile file) {
   static ResultClass file_class("SceneFile");
   py::dict velocities;
@@ -68,20 +63,18 @@ py::object python_file(io::SceneFile file) {
                     py::cast(file.warnings), texts_of(file.omissions));
 }
 
-std::filesystem::path path_of(const py::object& path) {
-  const auto text = py::reinterpret_steal<py::object>(PyOS_FSPath(path.ptr()));
-  if (!text) throw py::error_already_set();
-  return PyBytes_Check(text.ptr()) != 0 ? std::string(py::bytes(text)) : text.cast<std::string>();
-}
-
-py::object read_file(const py::object& path) {
+py::object read_file(const py::object& path, const py::object& meshes) {
   const std::filesystem::path place = path_of(path);
-  return python_file(without_gil([&] { return io::read_scene(place); }));
+  const io::SceneReading reading{mesh_kind_of({"read_scene", "meshes"}, meshes)};
+  return python_file(without_gil([&] { return io::read_scene(place, reading); }));
 }
 
-py::object parse_text(const std::string& text, const std::string& source, const py::object& folder) {
+/// Of str or bytes.
+py::object parse_text(const std::string& text, const std::string& source, const py::object& folder,
+                      const py::object& meshes) {
   const std::filesystem::path place = path_of(folder);
-  return python_file(without_gil([&] { return io::parse_scene(text, source, place); }));
+  const io::SceneReading reading{mesh_kind_of({"parse_scene", "meshes"}, meshes)};
+  return python_file(without_gil([&] { return io::parse_scene(text, source, place, reading); }));
 }
 
 std::string scene_text(const HeldScene& held) {
@@ -107,6 +100,18 @@ py::object replay_text(const std::string& text, const std::string& source) {
 
 }  // namespace
 
+py::list texts_of(const std::vector<io::Omission>& omissions) {
+  py::list texts;
+  for (const io::Omission& omission : omissions) texts.append(io::omission_text(omission));
+  return texts;
+}
+
+std::filesystem::path path_of(const py::object& path) {
+  const auto text = py::reinterpret_steal<py::object>(PyOS_FSPath(path.ptr()));
+  if (!text) throw py::error_already_set();
+  return PyBytes_Check(text.ptr()) != 0 ? std::string(py::bytes(text)) : text.cast<std::string>();
+}
+
 std::string svg_of(const HeldScene& scene) { return drawn(file_of(scene)); }
 
 std::string svg_of_shape(const HeldShape& shape) {
@@ -118,12 +123,16 @@ std::string svg_of_shape(const HeldShape& shape) {
 }
 
 void add_files(py::module_& module) {
+  const py::arg_v meshes("meshes", "surface");
   module.def(
-      "read_scene", &read_file, py::arg("path"),
-      "Reads a scene file in any format that graze knows (JSON, CSV, Tiled), told apart by content: a SceneFile whose "
-      "scene has float64.");
+      "read_scene", &read_file, py::arg("path"), py::kw_only(), meshes,
+      "Reads a scene file in any format that graze knows (JSON, CSV, Tiled, STL, OBJ, PLY, OFF, glTF), told apart by "
+      "content: a SceneFile whose scene has float64. meshes: 'solid' makes solids of the closed meshes of a mesh "
+      "file.");
   module.def("parse_scene", &parse_text, py::arg("text"), py::arg("source") = "text", py::arg("folder") = ".",
-             "Reads a scene from text; `source` names it in messages.");
+             py::kw_only(), meshes,
+             "Reads a scene from str or bytes; `source` names it in messages, and files that it refers to are in "
+             "`folder`.");
   module.def("scene_json", &scene_text, py::arg("scene"), "A scene as a text in graze's format, docs/scene_format.md.");
   module.def("replay", &replay_text, py::arg("text"), py::arg("source") = "log",
              "Performs the calls of a query log (docs/query_log.md) again and compares the answers: a ReplayReport.");

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Indexes of moving boxes: Bvh, Orthtree and Grid.
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <shared_mutex>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include <graze/broad/bvh.hpp>
 #include <graze/broad/grid.hpp>
 #include <graze/broad/orthtree.hpp>
+#include <graze/broad/touching/pair_tasks.hpp>
 
 #include "keys.hpp"
 #include "module.hpp"
@@ -305,6 +308,41 @@ struct Methods {
     return py::make_tuple(array_of<std::uint64_t>(std::move(keys), 0), array_of<double>(std::move(distances), 0));
   }
 
+  /// For each point a row of keys and one of squared distances, in parallel.
+  static py::tuple nearest_many(const Held& held, const py::object& values, std::size_t k, const py::object& threads) {
+    const Argument argument{"nearest_many", "points"};
+    const World of_index = world(held);
+    const Rows rows = rows_in(argument, values, static_cast<std::size_t>(of_index.dimension), of_index, "the index");
+    require_finite(argument, rows);
+    const Threads used("nearest_many", threads);
+    return std::visit(
+        [&]<Dim N, class T>(const Index<N, T>& index) {
+          constexpr std::size_t points_per_task = 256;
+          auto found = without_gil([&] {
+            const std::shared_lock lock(*held.lock);
+            const std::size_t columns = std::min(k, index.size());
+            NewRows<std::uint64_t> keys(rows.count * columns);
+            NewRows<double> distances(rows.count * columns);
+            const auto points = rows.as<Vec<N, T>>();
+            detail::in_tasks(points.size(), points_per_task, used.executor(), [&](std::size_t first, std::size_t last) {
+              std::size_t place = first * columns;
+              for (std::size_t i = first; i < last; ++i) {
+                for (const Neighbour& near : index.nearest(points[i], columns)) {
+                  keys[place] = packed(near.key);
+                  distances[place++] = near.distance_squared;
+                }
+              }
+            });
+            return std::tuple(std::move(keys), std::move(distances), columns);
+          });
+          const py::tuple shape = py::make_tuple(rows.count, std::get<2>(found));
+          const auto shaped = [&shape](const py::array& array) { return array.attr("reshape")(shape); };
+          return py::make_tuple(shaped(array_of<std::uint64_t>(std::move(std::get<0>(found)), 0)),
+                                shaped(array_of<double>(std::move(std::get<1>(found)), 0)));
+        },
+        held.any);
+  }
+
   static py::array pairs(const Held& held) {
     std::vector<std::array<std::uint64_t, 2>> found;
     read(held, [&found](const auto& index) {
@@ -337,6 +375,11 @@ struct Methods {
                  "The boxes that a moving box touches: keys and t from 0 to 1, by t.");
     maker.method("nearest", &nearest, py::arg("point"), py::arg("k") = 1,
                  "The k boxes nearest to a point (N,): keys and squared distances, by distance.");
+    maker.method(
+        "nearest_many", &nearest_many, py::arg("points"), py::arg("k") = 1, py::kw_only(),
+        py::arg("threads") = py::none(),
+        "For each of many points (n, N) the k boxes nearest to it, or all if there are fewer: keys and squared "
+        "distances, (n, k) each.");
     maker.method("pairs", &pairs, "All pairs of boxes that share a point: (n, 2) keys, ascending.");
     maker.property(
         "dimension", [](const Held& held) { return world(held).dimension; }, "2 or 3");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Keys of indexes and ids of scenes as Python's integers: the index in the lower 32 bits, the generation in the upper.
-// The owner, by which C++ tells the keys of different containers apart, is left out, because it does not fit.
+// Keys of indexes and ids of scenes as Python's integers: the index in the lower 32 bits, above it the generation. Of
+// the owner, by which C++ tells the keys of different containers apart, there is room for 15 bits: they change the
+// upper half of the generation, which few programs reach. A foreign key therefore looks like one of a generation that
+// never was.
 #pragma once
 
 #include <array>
@@ -14,15 +16,21 @@
 
 namespace graze::python {
 
+/// A generation as a key has it, and back. The sign bit of the key stays free, because NumPy makes floats of a list in
+/// which only some integers need it.
+constexpr std::uint32_t marked(std::uint32_t generation, std::uint32_t owner) {
+  return generation ^ ((owner & 0x7fffU) << 16U);
+}
+
 /// For Key and ObjectId.
 template <class Name>
 std::uint64_t packed(const Name& name) {
-  return std::uint64_t{name.generation} << 32U | name.index;
+  return std::uint64_t{marked(name.generation, name.owner)} << 32U | name.index;
 }
 
 template <class Name>
 Name unpacked(std::uint64_t number, std::uint32_t owner) {
-  return {static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32U), owner};
+  return {static_cast<std::uint32_t>(number), marked(static_cast<std::uint32_t>(number >> 32U), owner), owner};
 }
 
 /// Throws TypeError for what is not an integer, IndexError for one that cannot be a key.

@@ -8,12 +8,13 @@
 #include <fmt/format.h>
 
 #include <graze/broad/closest_points.hpp>
-#include <graze/broad/ray_casts.hpp>
 #include <graze/broad/self_intersections.hpp>
 #include <graze/broad/signed_distances.hpp>
+#include <graze/broad/touching/pair_tasks.hpp>
 #include <graze/broad/touching_faces.hpp>
 #include <graze/broad/winding_numbers.hpp>
 #include <graze/query/closest_points.hpp>
+#include <graze/query/ray_cast.hpp>
 #include <graze/shape/mesh_report.hpp>
 #include <graze/shape/welded.hpp>
 
@@ -32,6 +33,11 @@ auto on_mesh(const char* function, const HeldShape& shape, const Use& use) {
       throw py::type_error(fmt::format("{}: mesh is {}; a Mesh is needed", function, described(shape)));
     return use(*mesh);
   });
+}
+
+bool holds_mesh(const HeldShape& shape) {
+  return on_shape(shape,
+                  []<Dim N, class T>(const AnyShape<N, T>& any) { return std::holds_alternative<Mesh<N, T>>(any); });
 }
 
 /// The rows of points, all finite, of the mesh's number type.
@@ -96,6 +102,10 @@ py::object closest_points_of(const HeldShape& a, const py::object& b, const py::
           without_gil_if(is_large(in_a) || is_large(in_b), [&] { return closest_points(in_a, in_b); }));
     });
   }
+  if (!holds_mesh(a) && !py::isinstance<py::array>(b)) {
+    throw py::type_error(fmt::format("closest_points: b is a {}, not a graze.Shape{}", Py_TYPE(b.ptr())->tp_name,
+                                     WayOut<HeldShape>::of(b)));
+  }
   return on_mesh("closest_points", a, [&]<Dim N, class T>(const Mesh<N, T>& mesh) {
     const Rows rows = points_for<N, T>("closest_points", b);
     const Threads used("closest_points", threads);
@@ -126,29 +136,26 @@ py::object winding_numbers_of(const HeldShape& shape, const py::object& points, 
 template <Dim N, class T>
 struct HitColumns {
   explicit HitColumns(std::size_t count)
-      : t(count, std::numeric_limits<T>::infinity()),
-        point(count, Vec<N, T>(std::numeric_limits<T>::quiet_NaN())),
-        normal(count, Vec<N, T>(T(0))),
-        face(count, -1),
-        barycentric(count, Vec<3, T>(T(0))),
-        error(count, 0.0) {}
+      : t(count), point(count), normal(count), face(count), barycentric(count), error(count) {}
 
-  void put(std::size_t row, const MeshHit<N, T>& hit) {
-    t[row] = hit.t;
-    point[row] = hit.point;
-    normal[row] = hit.normal;
-    if (hit.face != no_face) face[row] = static_cast<std::int64_t>(hit.face);
-    barycentric[row] = hit.barycentric;
-    error[row] = hit.error;
+  void put(std::size_t row, const std::optional<MeshHit<N, T>>& hit) {
+    t[row] = hit ? hit->t : std::numeric_limits<T>::infinity();
+    point[row] = hit ? hit->point : Vec<N, T>(std::numeric_limits<T>::quiet_NaN());
+    normal[row] = hit ? hit->normal : Vec<N, T>(T(0));
+    face[row] = hit && hit->face != no_face ? static_cast<std::int64_t>(hit->face) : -1;
+    barycentric[row] = hit ? hit->barycentric : Vec<3, T>(T(0));
+    error[row] = hit ? hit->error : 0.0;
   }
 
-  std::vector<T> t;
-  std::vector<Vec<N, T>> point;
-  std::vector<Vec<N, T>> normal;
-  std::vector<std::int64_t> face;
-  std::vector<Vec<3, T>> barycentric;
-  std::vector<double> error;
+  NewRows<T> t;
+  NewRows<Vec<N, T>> point;
+  NewRows<Vec<N, T>> normal;
+  NewRows<std::int64_t> face;
+  NewRows<Vec<3, T>> barycentric;
+  NewRows<double> error;
 };
+
+constexpr std::size_t rays_per_task = 256;
 
 /// Throws ValueError, naming the row, for a ray without a direction.
 template <Dim N, class T>
@@ -168,13 +175,12 @@ py::object ray_casts_of(const HeldShape& shape, const py::object& rays, const py
     require_finite(argument, rows);
     require_directions(rows.as<Ray<N, T>>());
     const Threads used("ray_casts", threads);
-    HitColumns<N, T> hits = without_gil([&] {
-      const auto found = ray_casts(mesh, rows.as<Ray<N, T>>(), {&used.executor()});
-      HitColumns<N, T> result(found.size());
-      for (std::size_t i = 0; i < found.size(); ++i) {
-        if (found[i]) result.put(i, *found[i]);
-      }
-      return result;
+    HitColumns<N, T> hits(rows.count);
+    without_gil([&] {  // as graze::ray_casts, but straight to columns
+      const auto all = rows.as<Ray<N, T>>();
+      detail::in_tasks(all.size(), rays_per_task, used.executor(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) hits.put(i, ray_cast(mesh, all[i]));
+      });
     });
     return hits_class(array_of<T>(std::move(hits.t), 0), array_of<T>(std::move(hits.point), columns),
                       array_of<T>(std::move(hits.normal), columns), array_of<std::int64_t>(std::move(hits.face), 0),

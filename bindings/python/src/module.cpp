@@ -138,6 +138,7 @@ PYBIND11_MODULE(_graze, module) {  // NOLINT(readability-function-size)
   add_indexes(module);
   add_scenes(module);
   add_files(module);
+  add_mesh_files(module);
   module.def("rotation_from_angle", [](const py::object& radians) {
     return frozen_matrix<2, double>(rotation_from_angle(number_of({"rotation_from_angle", "radians"}, radians)));
   });

@@ -24,6 +24,7 @@ void add_pairs(py::module_& module);
 void add_indexes(py::module_& module);
 void add_scenes(py::module_& module);
 void add_files(py::module_& module);
+void add_mesh_files(py::module_& module);
 
 /// ask() while other Python threads run.
 template <class Ask>

@@ -10,6 +10,7 @@
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/touching/pair_tasks.hpp>
 #include <graze/broad/touching_pairs.hpp>
 
 #include "module.hpp"
@@ -150,42 +151,58 @@ py::object relations_of_pairs(const py::object& shapes, const py::object& pairs,
 /// The contacts of many pairs, by their fields.
 template <Dim N, class T>
 struct ContactColumns {
-  explicit ContactColumns(const std::vector<PairContact<N, T>>& found) {
-    pairs.reserve(found.size());
-    normals.reserve(found.size());
-    offsets.reserve(found.size() + 1);
-    points.reserve(found.size());
-    depths.reserve(found.size());
-    offsets.push_back(0);
-    for (const auto& [pair, manifold] : found) {
-      pairs.push_back(pair);
-      normals.push_back(manifold.normal);
-      for (const ManifoldPoint<N, T>& point : manifold.contacts()) {
-        points.push_back(point.point);
-        depths.push_back(point.depth);
-      }
-      offsets.push_back(static_cast<std::int64_t>(points.size()));
-    }
+  ContactColumns(std::span<const PairContact<N, T>> found, const Executor& executor)
+      : pairs(found.size()), normals(found.size()), offsets(offsets_of(found)), points(count()), depths(count()) {
+    detail::in_tasks(found.size(), manifolds_per_task, executor, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) put(i, found[i]);
+    });
   }
 
-  std::vector<Pair> pairs;
-  std::vector<Vec<N, T>> normals;
-  std::vector<std::int64_t> offsets;
-  std::vector<Vec<N, T>> points;
-  std::vector<T> depths;
+  NewRows<Pair> pairs;
+  NewRows<Vec<N, T>> normals;
+  NewRows<std::int64_t> offsets;
+  NewRows<Vec<N, T>> points;
+  NewRows<T> depths;
+
+ private:
+  static constexpr std::size_t manifolds_per_task = 256;
+
+  static NewRows<std::int64_t> offsets_of(std::span<const PairContact<N, T>> found) {
+    NewRows<std::int64_t> offsets(found.size() + 1);
+    offsets[0] = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      offsets[i + 1] = offsets[i] + static_cast<std::int64_t>(found[i].manifold.size);
+    }
+    return offsets;
+  }
+
+  std::size_t count() { return static_cast<std::size_t>(offsets[offsets.size() - 1]); }
+
+  void put(std::size_t row, const PairContact<N, T>& contact) {
+    pairs[row] = contact.pair;
+    normals[row] = contact.manifold.normal;
+    auto place = static_cast<std::size_t>(offsets[row]);
+    for (const ManifoldPoint<N, T>& point : contact.manifold.contacts()) {
+      points[place] = point.point;
+      depths[place++] = point.depth;
+    }
+  }
 };
 
 py::object contacts_of_pairs(const py::object& shapes, const py::object& pairs, const py::object& threads) {
   static ResultClass contacts_class("Contacts");
-  return ask_candidates(
-      "contacts", shapes, pairs, threads,
-      []<Dim N, class T>(In<N, T>, auto all, auto candidates, TouchOptions options) -> py::object {
-        auto found = without_gil([&] { return ContactColumns<N, T>(contacts<N, T>(all, candidates, options)); });
-        constexpr auto columns = static_cast<std::size_t>(N);
-        return contacts_class(array_of(std::move(found.pairs)), array_of<T>(std::move(found.normals), columns),
-                              array_of<std::int64_t>(std::move(found.offsets), 0),
-                              array_of<T>(std::move(found.points), columns), array_of<T>(std::move(found.depths), 0));
-      });
+  return ask_candidates("contacts", shapes, pairs, threads,
+                        []<Dim N, class T>(In<N, T>, auto all, auto candidates, TouchOptions options) -> py::object {
+                          auto found = without_gil([&] {
+                            return ContactColumns<N, T>(contacts<N, T>(all, candidates, options), *options.executor);
+                          });
+                          constexpr auto columns = static_cast<std::size_t>(N);
+                          return contacts_class(array_of<std::uint32_t>(std::move(found.pairs), 2),
+                                                array_of<T>(std::move(found.normals), columns),
+                                                array_of<std::int64_t>(std::move(found.offsets), 0),
+                                                array_of<T>(std::move(found.points), columns),
+                                                array_of<T>(std::move(found.depths), 0));
+                        });
 }
 
 }  // namespace

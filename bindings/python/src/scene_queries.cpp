@@ -88,7 +88,8 @@ py::object python_near(const NearObject<T>& near) {
 template <Dim N, class T>
 py::object python_hit(const ObjectHit<N, T>& hit) {
   static ResultClass hit_class("ObjectHit");
-  return hit_class(packed(hit.id), python_result(hit.hit));
+  const RayHit<N, T>& without_face = hit.hit;
+  return hit_class(packed(hit.id), hit.hit.face == no_face ? python_result(without_face) : python_result(hit.hit));
 }
 template <Dim N, class T>
 py::object python_impact(const ObjectImpact<N, T>& impact) {

@@ -303,6 +303,10 @@ void add_scenes(py::module_& module) {
   scene.property("events", &events_of, "The events of the last update.");
   scene.method("snapshot", &snapshot_of, "A read-only copy, for readers that keep it while the scene continues.");
   scene.method("_repr_svg_", &svg_of, "A picture of the scene, its touching pairs highlighted.");
+  scene.method(
+      "_repr_html_",
+      [](const py::object& self) { return py::module_::import("graze._drawing").attr("scene_html")(self); },
+      "The picture, and a table of objects.");
   add_scene_queries(scene, view);
   view.finish();
   scene.finish();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <pybind11/numpy.h>
 
 #include <graze/io/shape_numbers.hpp>
 #include <graze/math/platform/bit_cast.hpp>
@@ -280,6 +281,20 @@ std::string described(const HeldShape& shape) {
   const std::string_view type = type_name_in_python(alternative_of(shape));
   return fmt::format("{} {} in {}D of {}", type == "Aabb" || type == "Obb" ? "an" : "a", type, world.dimension,
                      name_of_numbers(world));
+}
+
+std::string WayOut<HeldShape>::of(py::handle object) {
+  if (py::hasattr(object, "vertices") && py::hasattr(object, "faces")) {
+    return ": graze.Mesh(mesh.vertices, mesh.faces) makes one of a mesh";
+  }
+  if (py::hasattr(object, "exterior")) {
+    return ": graze.Polytope(polygon.exterior.coords) makes one of a convex polygon";
+  }
+  if (is_boxed<HeldShapes>(object)) return ": graze.Compound makes one of several";
+  if (py::isinstance<py::array>(object) || py::isinstance<py::list>(object) || py::isinstance<py::tuple>(object)) {
+    return ": graze.Point makes one of a position, graze.convex_hull one of several";
+  }
+  return ": make one by graze.Sphere, graze.Obb, graze.Mesh or another of its types";
 }
 
 bool is_double_dtype(py::handle dtype) {

@@ -53,6 +53,12 @@ struct BoxedName<HeldShape> {
   static constexpr auto name = py::detail::const_name("Shape");
 };
 
+template <>
+struct WayOut<HeldShape> {
+  /// How to make a shape of the object: ": graze.Mesh(mesh.vertices, mesh.faces) makes one of a mesh".
+  static std::string of(py::handle object);
+};
+
 /// The world of a shape.
 World world_of(const HeldShape& shape);
 

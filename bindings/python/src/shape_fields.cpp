@@ -63,17 +63,6 @@ void read(Argument argument, py::handle value, Mat<N, T>& axes) {
   axes = matrix_of<N, T>(argument, value);
 }
 
-MeshKind mesh_kind_of(Argument argument, py::handle value) {
-  if (!value) return MeshKind::surface;
-  if (PyUnicode_Check(value.ptr()) != 0) {
-    const auto word = value.cast<std::string>();
-    if (word == "surface") return MeshKind::surface;
-    if (word == "solid") return MeshKind::solid;
-  }
-  throw py::value_error(
-      fmt::format("{} is {}; 'surface' or 'solid' is needed", argument.text(), std::string(py::repr(value))));
-}
-
 template <Dim N, class T, class S>
 AnyShape<N, T> made(const FieldArguments& arguments) {
   const std::string_view type = type_name_in_python(arguments.alternative);
@@ -275,6 +264,17 @@ std::string spelled_shape(const AnyShape<N, T>& shape) {
 }
 
 }  // namespace
+
+MeshKind mesh_kind_of(Argument argument, py::handle value) {
+  if (!value) return MeshKind::surface;
+  if (PyUnicode_Check(value.ptr()) != 0) {
+    const auto word = value.cast<std::string>();
+    if (word == "surface") return MeshKind::surface;
+    if (word == "solid") return MeshKind::solid;
+  }
+  throw py::value_error(
+      fmt::format("{} is {}; 'surface' or 'solid' is needed", argument.text(), std::string(py::repr(value))));
+}
 
 std::span<const std::string_view> field_names(std::size_t alternative) { return names_by_type[alternative]; }
 

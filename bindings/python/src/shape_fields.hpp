@@ -10,11 +10,15 @@
 #include <vector>
 
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/mesh.hpp>
 
 #include "arrays.hpp"
 #include "shape.hpp"
 
 namespace graze::python {
+
+/// "surface" or "solid"; a surface for no object. Throws ValueError for any other.
+MeshKind mesh_kind_of(Argument argument, py::handle value);
 
 /// What a constructor was called with: an object for each field of the type, null for those that are left out, and a
 /// dimension of 0 and no dtype if they were not given.

@@ -3,6 +3,7 @@
 
 import pathlib
 import threading
+import types
 import unittest
 
 import graze
@@ -40,6 +41,33 @@ class SceneTest(unittest.TestCase):
         index.erase(key)
         with self.assertRaises(IndexError):
             index.box(key)
+        scenes = [graze.Scene(), graze.Scene()]
+        ids = [each.add(graze.Sphere([0, 0, 0], 1)) for each in scenes]
+        self.assertTrue(0 < ids[0] < 2**63 and 0 < ids[1] < 2**63 and ids[0] != ids[1])
+        with self.assertRaises(IndexError):
+            scenes[0].object(ids[1])
+        with self.assertRaises(IndexError):
+            scenes[1].move_many([ids[0]], [graze.Sphere([1, 0, 0], 1)])
+        indexes = [graze.Grid(), graze.Orthtree()]
+        keys = [each.insert([0, 0, 0, 1, 1, 1]) for each in indexes]
+        with self.assertRaises(IndexError):
+            indexes[0].erase(keys[1])
+
+    def test_an_index_finds_the_nearest_of_many_points(self):
+        random = np.random.default_rng(8)
+        corners = random.random((500, 3)) * 10
+        boxes, points = np.hstack([corners, corners + 0.5]), random.random((700, 3)) * 10
+        for index in (graze.Bvh(), graze.Orthtree(), graze.Grid()):
+            self.assertEqual([found.shape for found in index.nearest_many(points, 3)], [(700, 0), (700, 0)])
+            index.assign(boxes)
+            keys, distances = index.nearest_many(points, 3, threads=2)
+            self.assertEqual((keys.shape, distances.shape), ((700, 3), (700, 3)))
+            for i in range(0, 700, 50):
+                near, squares = index.nearest(points[i], 3)
+                np.testing.assert_array_equal(keys[i], near)
+                np.testing.assert_array_equal(distances[i], squares)
+            with self.assertRaisesRegex(ValueError, "row 1"):
+                index.nearest_many([[0, 0, 0], [0, np.inf, 0]])
 
     def test_arrays_move_many_objects_or_none(self):
         centers = np.random.default_rng(2).random((200, 3)) * 20
@@ -101,7 +129,7 @@ class SceneTest(unittest.TestCase):
     def test_scene_files_are_read_and_written(self):
         file = graze.read_scene(ROOT / "data/workshop.json")
         again = graze.parse_scene(graze.scene_json(file.scene)).scene
-        np.testing.assert_array_equal(again.pairs(), file.scene.pairs())
+        np.testing.assert_array_equal(again.pairs() & 0xFFFFFFFF, file.scene.pairs() & 0xFFFFFFFF)
         self.assertIn("<svg", file.scene._repr_svg_())
         with self.assertRaises(graze.InputError):
             graze.parse_scene("{", "broken.json")
@@ -138,6 +166,16 @@ class MeshTest(unittest.TestCase):
             self.assertEqual((single.t, -1 if single.face is None else single.face), (hits.t[i], hits.face[i]))
             np.testing.assert_array_equal(hits.point[i], single.point)
 
+    def test_rays_in_a_scene_hit_faces(self):
+        scene = graze.Scene()
+        scene.add(self.cube)
+        scene.add(graze.Sphere([0.3, 0.4, 9], 1))
+        ray = graze.Ray([0.3, 0.4, -5], [0, 0, 1])
+        on_cube, on_sphere = (hit.hit for hit in scene.ray_cast_all(ray))
+        self.assertEqual(on_cube, graze.ray_cast(self.cube, ray))
+        self.assertIsInstance(on_cube, graze.MeshHit)
+        self.assertIsInstance(on_sphere, graze.RayHit)
+
     def test_wrong_arrays_are_errors(self):
         points = np.zeros((4, 3))
         for error, text, call in [
@@ -149,7 +187,12 @@ class MeshTest(unittest.TestCase):
             (IndexError, "", lambda: graze.touching_pairs([self.cube], [[0, 1]])),
             (ValueError, "same dimension", lambda: graze.intersects(self.cube, graze.Sphere([0, 0], 1))),
             (TypeError, "same dtype", lambda: graze.intersects(self.cube, self.cube.astype("float32"))),
-            (TypeError, "", lambda: graze.intersects(self.cube, 5)),
+            (TypeError, "a graze.Shape is needed, not a int: make one by", lambda: graze.intersects(self.cube, 5)),
+            (TypeError, r"graze\.Point makes one", lambda: graze.distance(self.cube, [0, 0, 0])),
+            (TypeError, r"not a graze\.Shape: graze\.Point", lambda: graze.closest_points(graze.Sphere([0, 0, 0], 1), [0, 0, 0])),
+            (TypeError, r"graze\.Compound makes one", lambda: graze.contact(graze.Shapes([self.cube]), self.cube)),
+            (TypeError, r"graze\.Mesh\(mesh\.vertices", lambda: graze.distance(types.SimpleNamespace(vertices=[], faces=[]), self.cube)),
+            (TypeError, r"a graze\.Scene is needed", lambda: graze.Scene.pairs(self.cube)),
             (ValueError, "threads", lambda: graze.signed_distances(self.cube, points, threads=0)),
         ]:
             with self.subTest(text), self.assertRaisesRegex(error, text):

@@ -4,7 +4,16 @@
 import { numbersOf } from "./core.js";
 import { dimensionOf, pointText, rayText, textOf } from "./text.js";
 
-const meshKinds = ["surface", "solid"];
+/** In the order of the C++ enumeration. */
+export const meshKinds = ["surface", "solid"];
+
+/** Names a mesh that the module holds. */
+export class HeldNumber {
+  constructor(number, dimension) {
+    this.number = number;
+    this.dimension = dimension;
+  }
+}
 
 /** In place of a dimension: this value cannot be written as numbers. */
 export const refused = -1;
@@ -190,6 +199,12 @@ export class Arguments {
     if (place < 0) return refused;
     this.#put(place);
     return n;
+  }
+
+  held(value, n) {
+    if (!(value instanceof HeldNumber) || (n !== 0 && n !== value.dimension)) return refused;
+    this.#put(value.number);
+    return value.dimension;
   }
 
   parts(value, n, depth) {

@@ -5,6 +5,7 @@ import { casts } from "./casts.js";
 import { Core } from "./core.js";
 import loadModule from "./graze_wasm.js";
 import { indexClasses } from "./indexes.js";
+import { meshParts } from "./meshes.js";
 import { pairFinderClass, pairFunctions } from "./pairs.js";
 import { queries } from "./queries.js";
 import { recordingParts } from "./recordings.js";
@@ -33,6 +34,7 @@ export async function createGraze({ wasmBinary, locateFile } = {}) {
     version: module.version(),
     ...queries(core),
     ...casts(core),
+    ...meshParts(core),
     ...pairFunctions(core),
     PairFinder: pairFinderClass(core),
     ...indexClasses(core),

@@ -2,6 +2,7 @@
 // Queries about one or two shapes.
 import { point, ray, shape } from "./arguments.js";
 import { knownDimension, rowsOf, statusOf } from "./core.js";
+import { readRayHit } from "./meshes.js";
 import { known, lengthOf } from "./options.js";
 import { dimensionOf } from "./text.js";
 
@@ -100,7 +101,7 @@ const shapeQueries = ({ module, arguments: args }) => ({
   rayCast(of, along, { tMax = Infinity, side = "entry" } = {}) {
     if (side !== "entry" && side !== "exit") throw new Error(`side: it is ${side}; it must be entry or exit`);
     const ask = (dimension, place) => module.rayCast(dimension, place, tMax, side === "exit");
-    return args.ask(rayAndShape, [along, of], ask, (result, answer) => (answer.isAtEnd ? null : answer.hit()));
+    return args.ask(rayAndShape, [along, of], ask, (result, answer) => readRayHit(answer));
   },
 
   bounds: (of) => args.ask(oneShape, [of], module.bounds, (result, answer) => answer.box()),

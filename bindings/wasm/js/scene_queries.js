@@ -3,6 +3,7 @@
 import { point, ray, shape, vector } from "./arguments.js";
 import { motion } from "./casts.js";
 import { finiteNumber, numbersOf, wholeNumber } from "./core.js";
+import { readFace } from "./meshes.js";
 import { filterFields, filterOf, guarded, known, lengthOf, list, yesOrNo } from "./options.js";
 import { readManifold } from "./queries.js";
 
@@ -29,7 +30,12 @@ const all = (read) => (result, answer) => {
 };
 
 const readNear = (answer) => ({ id: answer.number(), distance: answer.number() });
-const readHit = (answer) => ({ id: answer.number(), ...answer.hit() });
+const readImpact = (answer) => ({ id: answer.number(), ...answer.hit() });
+const readHit = (answer) => {
+  const hit = readImpact(answer);
+  const at = readFace(answer);
+  return at.face === null ? hit : { ...hit, ...at };
+};
 const readTouch = (answer) => ({ id: answer.number(), ...readManifold(answer) });
 
 /** A vector has no type, unlike a shape. */
@@ -84,7 +90,7 @@ export const withQueries = (Base) => class extends Base {
   #castShape(name, moving, way, options) {
     const { ignoreInitialTouch = false, ...filter } = known(options, castFields);
     const ignores = yesOrNo(ignoreInitialTouch, "ignoreInitialTouch");
-    return this.#find(name, kinds.cast, [moving, way], filter, all(readHit), ignores);
+    return this.#find(name, kinds.cast, [moving, way], filter, all(readImpact), ignores);
   }
 
   shapeCast(moving, way, options) {
@@ -97,7 +103,7 @@ export const withQueries = (Base) => class extends Base {
 
   timeOfImpact(moving, way, options) {
     const filter = known(options, filterFields);
-    return this.#find("TimeOfImpact", kinds.motion, [moving, way], filter, all(readHit))[0] ?? null;
+    return this.#find("TimeOfImpact", kinds.motion, [moving, way], filter, all(readImpact))[0] ?? null;
   }
 
   slide(moving, way, options) {
@@ -108,7 +114,7 @@ export const withQueries = (Base) => class extends Base {
       stepHeight === undefined ? notGiven : lengthOf(stepHeight, "stepHeight"),
       clearance === undefined ? notGiven : lengthOf(clearance, "clearance"),
     ];
-    const read = (result, answer) => ({ motion: answer.vector(), touches: all(readHit)(result, answer) });
+    const read = (result, answer) => ({ motion: answer.vector(), touches: all(readImpact)(result, answer) });
     return this.#find("Slide", kinds.slide, [moving, way, upward], filter, read, ...numbers);
   }
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Values passed to C++ as text, which is read like scene files.
 
+/** The method by which an object that is used like a shape returns a plain one; its `dimension` is known. */
+export const plain = Symbol("plain");
+
 /** A value as JSON, without the silent changes of JSON.stringify: negative zero keeps its sign, typed arrays become
  * arrays, and numbers that are not finite are errors. */
 export function textOf(value, role, field = "") {
@@ -13,6 +16,7 @@ export function textOf(value, role, field = "") {
     return `[${Array.from(value, (item, i) => textOf(item, role, `${field}[${i}]`)).join(", ")}]`;
   }
   if (typeof value === "object" && value !== null) {
+    if (value[plain] !== undefined) return textOf(value[plain](), role, field);
     const fields = Object.entries(value).filter(([, held]) => held !== undefined);
     const inner = (name) => (field ? `${field}.${JSON.stringify(name)}` : JSON.stringify(name));
     return `{${fields.map(([name, held]) => `${JSON.stringify(name)}: ${textOf(held, role, inner(name))}`).join(", ")}}`;
@@ -25,6 +29,7 @@ function firstVector(value) {
   if (ArrayBuffer.isView(value)) return value.length;
   if (Array.isArray(value) && typeof value[0] === "number") return value.length;
   if (typeof value !== "object" || value === null) return 0;
+  if (value[plain] !== undefined) return value.dimension;
   for (const inner of Object.values(value)) {
     const length = firstVector(inner);
     if (length > 0) return length;

@@ -25,6 +25,7 @@
 #include <graze/shape/fields/visit.hpp>
 
 #include "bridge.hpp"
+#include "meshes.hpp"
 #include "shape_text.hpp"
 
 namespace graze::wasm {
@@ -219,6 +220,12 @@ AnyShape<N, double> read_mesh_without_kind(Arguments& in) {
   return read_mesh<N>(in, false);
 }
 
+template <Dim N>
+AnyShape<N, double> read_held_mesh(Arguments& in) {
+  return held_mesh<N>(static_cast<std::uint32_t>(in.number()));
+}
+
+constexpr std::array<Field, 1> held_fields = {{{"held", "held"}}};
 constexpr std::array<Field, 2> mesh_fields = {{{"vertices", "points"}, {"faces", "faces"}}};
 constexpr std::array<Field, 2> center_fields = {{{"center", "vector"}, {"half_extents", "vector"}}};
 constexpr std::array<Field, 3> angle_fields = {{center_fields[0], center_fields[1], {"angle", "number"}}};
@@ -248,7 +255,7 @@ template <Dim N>
 constexpr std::array other_forms = {
     Form<N>{"aabb", center_fields, &read_aabb_by_center<N>}, Form<N>{"obb", center_fields, &read_upright_obb<N>},
     Form<N>{"obb", N == 2 ? std::span<const Field>(angle_fields) : rotation_fields, &read_turned_obb<N>},
-    Form<N>{"mesh", mesh_fields, &read_mesh_without_kind<N>}};
+    Form<N>{"mesh", mesh_fields, &read_mesh_without_kind<N>}, Form<N>{"mesh", held_fields, &read_held_mesh<N>}};
 
 template <Dim N>
 const Form<N>& form_at(std::size_t place) {

@@ -2,6 +2,7 @@
 // Queries about one or two shapes. Booleans and enumerations are return values; everything else is in the output.
 #include <cstddef>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include <emscripten/bind.h>
@@ -19,6 +20,7 @@
 #include <graze/query/relation.hpp>
 #include <graze/query/separation.hpp>
 #include <graze/query/signed_distance.hpp>
+#include <graze/shape/mesh.hpp>
 #include <graze/shape/polytope.hpp>
 
 #include "arguments.hpp"
@@ -104,14 +106,18 @@ void manifold_of(int dimension, std::size_t place, double margin) {
   });
 }
 
-/// t, point, normal, status, error; empty if the ray, which precedes the shape, misses
+/// What put_hit puts, for a mesh what put_mesh_hit puts; empty if the ray, which precedes the shape, misses
 void ray_cast_of(int dimension, std::size_t place, double t_max, bool at_exit) {
   in_dimension(dimension, [&](auto n) {
     Arguments in(place);
     const Ray<n, double> ray = in.ray<n>();
     const RayOptions options{at_exit ? RaySide::exit : RaySide::entry};
-    const auto hit = ray_cast(in.shape<n>(), ray, t_max, options);
-    if (hit) put_hit<n>(*hit);
+    const AnyShape<n, double> shape = in.shape<n>();
+    if (const auto* const mesh = std::get_if<Mesh<n, double>>(&shape)) {
+      if (const auto hit = ray_cast(*mesh, ray, t_max, options)) put_mesh_hit<n>(*hit);
+    } else if (const auto hit = ray_cast(shape, ray, t_max, options)) {
+      put_hit<n>(*hit);
+    }
   });
 }
 

@@ -5,6 +5,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/query/impact.hpp>
 #include <graze/query/manifold.hpp>
+#include <graze/query/mesh_hit.hpp>
 #include <graze/query/status.hpp>
 
 #include "bridge.hpp"
@@ -23,6 +24,14 @@ void put_hit(const Hit& hit) {
   put<N>(hit.point);
   put<N>(hit.normal);
   put_end(hit.status, hit.error);
+}
+
+/// The same, then the face, or -1 for none, and the barycentric coordinates.
+template <Dim N>
+void put_mesh_hit(const MeshHit<N, double>& hit) {
+  put_hit<N>(hit);
+  answer().push_back(hit.face == no_face ? -1 : static_cast<double>(hit.face));
+  put<3>(hit.barycentric);
 }
 
 /// The kind and index of a's feature and of b's, the part of a and of b.

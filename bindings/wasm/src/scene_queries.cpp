@@ -112,7 +112,7 @@ void ray_cast_scene(SceneHandle& self, std::size_t place, std::string layers, va
                 const auto found = scene.ray_cast(ray, t_max, query);
                 if (!found) return;
                 put_id(found->id);
-                put_hit<N>(found->hit);
+                put_mesh_hit<N>(found->hit);
               });
 }
 
@@ -123,7 +123,7 @@ void ray_cast_all(SceneHandle& self, std::size_t place, std::string layers, val 
                 const Ray<N, double> ray = in.ray<N>();
                 for (const ObjectHit<N, double>& found : scene.ray_cast_all(ray, t_max, query)) {
                   put_id(found.id);
-                  put_hit<N>(found.hit);
+                  put_mesh_hit<N>(found.hit);
                 }
               });
 }

@@ -2,7 +2,6 @@
 // Functions that change scenes. scene_questions.cpp and scene_queries.cpp contain the queries.
 #include "scenes.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -16,12 +15,12 @@
 #include <fmt/format.h>
 
 #include <graze/io/text/in_quotes.hpp>
-#include <graze/math/pose.hpp>
 #include <graze/query/transformed.hpp>
 #include <graze/scene/scene.hpp>
 
 #include "arguments.hpp"
 #include "placed.hpp"
+#include "poses.hpp"
 #include "scene_files.hpp"
 
 namespace graze::wasm {
@@ -221,29 +220,6 @@ void move_to_time(SceneHandle& self, double seconds) {
     }
     move_all<N>(self, scene, moves);
   });
-}
-
-/// A position, then an angle in radians or a quaternion x, y, z, w.
-template <Dim N>
-constexpr std::size_t numbers_in_pose = N == 2 ? 3 : 7;
-
-template <Dim N>
-Pose<N, double> pose_at(std::span<const double> numbers, std::size_t index) {
-  const std::span<const double> own = numbers.subspan(index * numbers_in_pose<N>, numbers_in_pose<N>);
-  for (const double number : own) {
-    if (!std::isfinite(number))
-      throw std::invalid_argument(fmt::format("pose {} has a number that is not finite", index));
-  }
-  const Vec<N, double> position = vector_at<N>(own, 0);
-  if constexpr (N == 2) {
-    return Pose<2, double>::from_angle(position, own[2]);
-  } else {
-    const Vec<4, double> quaternion(own[3], own[4], own[5], own[6]);
-    if (quaternion == Vec<4, double>(0.0)) {
-      throw std::invalid_argument(fmt::format("pose {} has a quaternion of length zero", index));
-    }
-    return Pose<3, double>::from_quaternion(position, quaternion);
-  }
 }
 
 void pose(SceneHandle& self, std::size_t count) {

@@ -2,10 +2,13 @@
 // Writes what this machine's graze answers, for the tests of the module to compare with, into a folder:
 //
 //   queries.ndjson                  a line for each pair of shapes: both, a point, a ray, and all answers about them
+//   queries_float.ndjson            the same in float
+//   cases.ndjson                    the same for the cases that a file lists, if one is given; query_answers.hpp
 //   touching_2d.json, _3d.json      shapes, candidate pairs of them, and those that touch
 //   pairs_2d_float.boxes, .pairs    100,000 boxes as they lie in memory, and their pairs; likewise 3d and double
 //   indexes.json                    what trees answer about boxes, and their cells
 //   scenes_2d.json, _3d.json        a scene, shapes that move through it, and what its queries answer
+//   meshes_2d.ndjson, _3d.ndjson    a line for each two meshes, and what they answer
 #include "answers.hpp"
 
 #include <algorithm>
@@ -14,8 +17,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <limits>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -30,129 +31,12 @@
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/scene_generators.hpp>
 #include <graze/broad/touching_pairs.hpp>
-#include <graze/math/motion.hpp>
-#include <graze/query/closest_boundary_point.hpp>
-#include <graze/query/closest_point.hpp>
-#include <graze/query/closest_points.hpp>
-#include <graze/query/contact.hpp>
-#include <graze/query/contains.hpp>
-#include <graze/query/distance.hpp>
-#include <graze/query/manifold.hpp>
-#include <graze/query/ray_cast.hpp>
-#include <graze/query/relation.hpp>
-#include <graze/query/shape_cast.hpp>
-#include <graze/query/signed_distance.hpp>
-#include <graze/query/time_of_impact.hpp>
 
 #include "catalogue.hpp"
+#include "query_answers.hpp"
 
 namespace graze::test {
 namespace {
-
-/// The arguments of one line.
-template <Dim N>
-struct Case {
-  AnyShape<N, double> a;
-  AnyShape<N, double> b;
-  Vec<N, double> point;
-  Ray<N, double> ray;
-};
-
-template <Dim N>
-Case<N> draw_case(std::size_t first, std::size_t second) {
-  const Source<N, double> from = draw_source<N, double>();
-  return {draw_shape_at<N, double>(first, from), draw_shape_at<N, double>(second, from), *from.point,
-          Ray<N, double>{*from.point, *from.direction}};
-}
-
-template <Dim N>
-void put_contact(const std::optional<Contact<N, double>>& found, Numbers& out) {
-  if (!found) return;
-  out.put<N>(found->point);
-  out.put<N>(found->point_a);
-  out.put<N>(found->point_b);
-  out.put<N>(found->normal);
-  out.put(found->depth);
-  out.put(found->error);
-}
-
-template <Dim N>
-void answer_pair(const AnyShape<N, double>& a, const AnyShape<N, double>& b, Numbers& out) {
-  out.put(static_cast<double>(relation(a, b)));
-  out.put(distance(a, b));
-  const Proximity<N, double> near = closest_points(a, b);
-  out.put(near.distance);
-  out.put<N>(near.point_a);
-  out.put<N>(near.point_b);
-  out.put<N>(near.normal);
-  out.put(near.error);
-  put_contact<N>(contact(a, b), out);
-  put_manifold<N>(manifold(a, b), out);
-}
-
-template <Dim N>
-void answer_shape(const Case<N>& asked, Numbers& out) {
-  for (const RaySide side : {RaySide::entry, RaySide::exit}) {
-    const auto hit = ray_cast(asked.a, asked.ray, std::numeric_limits<double>::infinity(), RayOptions{side});
-    if (hit) put_hit<N>(*hit, out);
-  }
-  out.put(contains(asked.a, asked.point) ? 1 : 0);
-  out.put<N>(closest_point(asked.a, asked.point));
-  out.put<N>(closest_boundary_point(asked.a, asked.point));
-  out.put(signed_distance(asked.a, asked.point));
-  out.put<N>(bounds(asked.a));
-}
-
-/// The first shape moves along the ray's direction; then both move and rotate.
-template <Dim N>
-void answer_casts(const Case<N>& asked, Numbers& out) {
-  const Vec<N, double>& way = asked.ray.direction;
-  if (const auto found = shape_cast(asked.a, way, asked.b)) put_hit<N>(*found, out);
-  Motion<N, double> first{way, {}, asked.point};
-  Motion<N, double> second{-way, {}, way};
-  if constexpr (N == 2) {
-    first.angular = 1;
-    second.angular = way.x;
-  } else {
-    first.angular = {1, 0, -2};
-    second.angular = way;
-  }
-  if (const auto found = time_of_impact(asked.a, first, asked.b, second)) put_hit<N>(*found, out);
-}
-
-/// With options: the first shape is cast, with each and with both, and contacts have a margin.
-template <Dim N>
-void answer_options(const Case<N>& asked, Numbers& out) {
-  for (const CastOptions options : {CastOptions{true, 0}, CastOptions{false, 0.25}, CastOptions{true, 0.25}}) {
-    if (const auto found = shape_cast(asked.a, asked.ray.direction, asked.b, options)) put_hit<N>(*found, out);
-  }
-  const ContactOptions near{.margin = 2};
-  put_contact<N>(contact(asked.a, asked.b, near), out);
-  put_manifold<N>(manifold(asked.a, asked.b, near), out);
-}
-
-/// Every two types of shapes, several times.
-template <Dim N>
-void write_queries(std::ostream& out) {
-  constexpr std::size_t types = std::variant_size_v<AnyShape<N, double>>;
-  constexpr int rounds = 8;
-  rc::Random random(20261121 + static_cast<std::uint64_t>(N));
-  for (std::size_t k = 0; k < types * types * rounds; ++k) {
-    const auto gen = rc::gen::exec([k] { return draw_case<N>(k % types, k / types % types); });
-    const Case<N> asked = gen(random.split(), 50).value();
-    Numbers answers;
-    answer_pair<N>(asked.a, asked.b, answers);
-    answer_shape<N>(asked, answers);
-    Numbers casts;
-    answer_casts<N>(asked, casts);
-    Numbers options;
-    answer_options<N>(asked, options);
-    out << fmt::format(
-        "{{\"a\": {}, \"b\": {}, \"point\": {}, \"ray\": {}, \"answers\": {}, \"casts\": {}, \"options\": {}}}\n",
-        text_of<N>(asked.a), text_of<N>(asked.b), text_of<N>(asked.point), text_of<N>(asked.ray), answers.list(),
-        casts.list(), options.list());
-  }
-}
 
 template <class T>
 void write_bytes(const std::filesystem::path& path, std::span<const T> values) {
@@ -180,8 +64,8 @@ void write_touching(std::ostream& out) {
   std::vector<AnyShape<N, double>> shapes;
   std::string text;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto gen = rc::gen::exec([i] { return draw_case<N>(i % types, 0); });
-    shapes.push_back(gen(random.split(), 50).value().a);
+    const auto gen = rc::gen::exec([i] { return draw_shape_at<N, double>(i % types, draw_source<N, double>()); });
+    shapes.push_back(gen(random.split(), 50).value());
     text += (i > 0 ? ", " : "") + text_of<N>(shapes.back());
   }
   std::vector<Pair> candidates;
@@ -247,8 +131,11 @@ std::string answers_of(Index index) {
 void write_all(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   std::ofstream queries(folder / "queries.ndjson");
-  write_queries<2>(queries);
-  write_queries<3>(queries);
+  write_queries<2, double>(queries);
+  write_queries<3, double>(queries);
+  std::ofstream float_queries(folder / "queries_float.ndjson");
+  write_queries<2, float>(float_queries);
+  write_queries<3, float>(float_queries);
   std::ofstream flat(folder / "touching_2d.json");
   write_touching<2>(flat);
   std::ofstream deep(folder / "touching_3d.json");
@@ -266,7 +153,12 @@ void write_all(const std::filesystem::path& folder) {
   write_scene<2>(flat_scene);
   std::ofstream deep_scene(folder / "scenes_3d.json");
   write_scene<3>(deep_scene);
-  if (!queries || !flat || !deep || !indexes || !flat_scene || !deep_scene)
+  std::ofstream flat_meshes(folder / "meshes_2d.ndjson");
+  write_meshes<2>(flat_meshes);
+  std::ofstream deep_meshes(folder / "meshes_3d.ndjson");
+  write_meshes<3>(deep_meshes);
+  if (!queries || !float_queries || !flat || !deep || !indexes || !flat_scene || !deep_scene || !flat_meshes ||
+      !deep_meshes)
     throw std::runtime_error(folder.string() + ": writing failed");
 }
 
@@ -274,12 +166,18 @@ void write_all(const std::filesystem::path& folder) {
 }  // namespace graze::test
 
 int main(int count, char** arguments) {
-  if (count != 2) {
-    std::cerr << "usage: graze_answers FOLDER\n";
+  if (count != 2 && count != 3) {
+    std::cerr << "usage: graze_answers FOLDER [CASES]\n";
     return 2;
   }
   try {
     graze::test::write_all(arguments[1]);
+    if (count == 3) {
+      std::ifstream cases(arguments[2]);
+      std::ofstream out(std::filesystem::path(arguments[1]) / "cases.ndjson");
+      graze::test::write_cases(cases, out);
+      if (!cases.eof() || !out) throw std::runtime_error(std::string(arguments[2]) + " cannot be answered");
+    }
   } catch (const std::exception& error) {
     std::cerr << "graze_answers: " << error.what() << '\n';
     return 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How answers.cpp and scene_answers.cpp write numbers and shapes.
+// How answers.cpp and the other files beside it write numbers and shapes.
 #pragma once
 
 #include <cmath>
@@ -30,13 +30,13 @@ class Numbers {
     }
   }
 
-  template <Dim N>
-  void put(const Vec<N, double>& vector) {
-    for (Dim i = 0; i < N; ++i) put(vector[i]);
+  template <Dim N, class T>
+  void put(const Vec<N, T>& vector) {
+    for (Dim i = 0; i < N; ++i) put(static_cast<double>(vector[i]));
   }
 
-  template <Dim N>
-  void put(const Aabb<N, double>& box) {
+  template <Dim N, class T>
+  void put(const Aabb<N, T>& box) {
     put<N>(box.min);
     put<N>(box.max);
   }
@@ -56,11 +56,11 @@ void put_hit(const Hit& hit, Numbers& out) {
   out.put(hit.error);
 }
 
-template <Dim N>
-void put_manifold(const Manifold<N, double>& manifold, Numbers& out) {
+template <Dim N, class T>
+void put_manifold(const Manifold<N, T>& manifold, Numbers& out) {
   out.put<N>(manifold.normal);
   out.put(manifold.error);
-  for (const ManifoldPoint<N, double>& point : manifold.contacts()) {
+  for (const ManifoldPoint<N, T>& point : manifold.contacts()) {
     out.put<N>(point.point);
     out.put<N>(point.point_a);
     out.put<N>(point.point_b);
@@ -84,5 +84,9 @@ std::string text_of(const AnyShape<N, double>& shape) {
 /// A scene, and what its queries answer about shapes that touch its objects or move through it.
 template <Dim N>
 void write_scene(std::ostream& out);
+
+/// A line for each two meshes: both, points, rays and a pose, and all answers about them.
+template <Dim N>
+void write_meshes(std::ostream& out);
 
 }  // namespace graze::test

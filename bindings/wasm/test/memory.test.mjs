@@ -32,7 +32,11 @@ function useEverything(givesBack) {
   assert.throws(() => graze.readScene("nonsense"), Error);
   assert.throws(() => scene.add({ type: "sphere" }), Error);
   graze.overlappingPairs(new Float32Array(6000), 3);
-  if (givesBack) for (const held of [scene, file, tree, bvh, finder]) held.delete();
+  const mesh = graze.mesh(Float64Array.from({ length: 9000 }, (_, i) => (i * 7919) % 23), Uint32Array.from({ length: 9000 }, (_, i) => (i * 31) % 3000), { dimension: 3 });
+  const placed = mesh.posed([1, 2, 3, 0, 0, 0, 1]);
+  placed.windingNumber([1, 1, 1]);
+  assert.throws(() => mesh.posed([1]), Error);
+  if (givesBack) for (const held of [scene, file, tree, bvh, finder, mesh, placed]) held.delete();
 }
 
 test("delete frees memory", () => {
@@ -66,7 +70,7 @@ test("using a deleted object throws", () => {
 });
 
 test("objects that hold memory can be disposed of, as `using` does at the end of a block", () => {
-  const held = [new graze.Scene(2), new graze.QuadTree(), new graze.Bvh(3), new graze.PairFinder(2, 5)];
+  const held = [new graze.Scene(2), new graze.QuadTree(), new graze.Bvh(3), new graze.PairFinder(2, 5), graze.mesh([], [])];
   for (const each of held) {
     each[Symbol.dispose]();
     each[Symbol.dispose]();

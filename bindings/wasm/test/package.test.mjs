@@ -26,7 +26,7 @@ test("npm packs the module, its types, its page and its licence, and nothing els
   assert.equal(packed.name, "graze");
   assert.deepEqual(packed.files.map(({ path }) => path).sort(), [
     "LICENSE", "README.md", "arguments.js", "casts.js", "core.js", "graze.d.ts", "graze.js", "graze_wasm.js", "graze_wasm.wasm", "indexes.js",
-    "options.js", "package.json", "pairs.js", "queries.js", "recordings.js", "scene.js", "scene_queries.js", "text.js",
+    "meshes.js", "options.js", "package.json", "pairs.js", "queries.js", "recordings.js", "scene.js", "scene_queries.js", "text.js",
   ]);
 });
 

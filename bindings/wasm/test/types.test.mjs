@@ -39,6 +39,7 @@ const objects = {
   Scene: () => new graze.Scene(2),
   SpatialIndex: () => new graze.QuadTree(),
   PairFinder: () => new graze.PairFinder(2, 1),
+  BuiltMesh: () => graze.mesh([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]),
   Recording: () => graze.readRecording(oneBox, "one"),
 };
 

@@ -36,7 +36,11 @@ constexpr std::uint32_t vectors_of = block_size / lanes_of<T>;
 
 /// Placed after the parameters of a lambda: always inlines it, whatever its length.
 #undef GRAZE_INLINE_LAMBDA
+#ifdef __GNUC__
 #define GRAZE_INLINE_LAMBDA __attribute__((always_inline))
+#else
+#define GRAZE_INLINE_LAMBDA
+#endif
 
 /// Calls use(0), use(1), ... with constants. Arrays stay in registers only if indices are constants early in
 /// compilation, which those of nested loops are not.

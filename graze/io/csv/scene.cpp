@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -8,42 +7,22 @@
 #include <utility>
 #include <vector>
 
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <graze/io/csv/header.hpp>
 #include <graze/io/csv/records.hpp>
 #include <graze/io/csv/scene.hpp>
+#include <graze/io/text/decimal.hpp>
 #include <graze/io/text/in_quotes.hpp>
 #include <graze/io/text/utf8.hpp>
 
 namespace graze::io {
 namespace {
 
-/// Skips a leading plus sign, which some programs write.
-std::string_view without_plus(std::string_view number) {
-  const bool has_plus = number.size() > 1 && number[0] == '+' && number[1] != '-' && number[1] != '+';
-  return has_plus ? number.substr(1) : number;
-}
-
 double read_number(const CsvText& text, const CsvField& field, std::string_view column) {
-  const std::string_view digits = without_plus(without_blanks(field.text));
-  double value = 0;
-  const auto [end, status] = fast_float::from_chars(digits.data(), digits.data() + digits.size(), value);
-  const bool is_complete = end == digits.data() + digits.size() && !digits.empty();
-  if (is_complete && status == std::errc() && std::isfinite(value)) return value;
-  const bool is_infinite =
-      is_complete && std::isinf(value) && digits.find_first_of("0123456789") != std::string_view::npos;
-  if (is_infinite) {
-    throw text.error(field,
-                     fmt::format("{} is {}; the largest number is about 1.8e308", column, in_quotes(field.text)));
-  }
-  if (is_complete && !std::isfinite(value)) {
-    throw text.error(field, fmt::format("{} is {}; it must be a finite number", column, in_quotes(field.text)));
-  }
-  const bool has_comma = digits.find(',') != std::string_view::npos;
-  throw text.error(field, fmt::format("{} is {}, which is not a number{}", column, in_quotes(field.text),
-                                      has_comma ? "; write decimals with a point" : ""));
+  const Decimal number = decimal_of(without_blanks(field.text));
+  if (!number.fault.empty()) throw text.error(field, fmt::format("{} {}", column, number.fault));
+  return number.value;
 }
 
 std::string_view name_of(CsvShape shape, Dim dimension) {

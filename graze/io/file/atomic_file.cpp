@@ -9,6 +9,7 @@
 
 #include <graze/io/file/atomic_file.hpp>
 #include <graze/io/file/temporary_file.hpp>
+#include <graze/io/file/utf8_path.hpp>
 #include <graze/io/output_error.hpp>
 #include <graze/io/text/in_quotes.hpp>
 
@@ -18,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 OutputError cannot_write(const fs::path& path, std::string_view reason) {
-  return OutputError(fmt::format("cannot write {}: {}", in_quotes(path.string()), reason));
+  return OutputError(fmt::format("cannot write {}: {}", in_quotes(utf8_from_path(path)), reason));
 }
 
 /// The description of the last system error.
@@ -40,7 +41,7 @@ fs::path link_target(const fs::path& path) {
 
 /// /dev/stdout and /dev/fd/3 refer to whatever the process has open, possibly a regular file that others also write to.
 bool names_open_stream(const fs::path& path) {
-  const std::string name = path.lexically_normal().string();
+  const std::string name = utf8_from_path(path.lexically_normal());
   return name.starts_with("/dev/") || name.starts_with("/proc/");
 }
 
@@ -82,7 +83,7 @@ void write_file(const fs::path& path, const std::function<void(std::ostream&)>& 
   const fs::path target = link_target(path);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder)) {
-    throw cannot_write(path, fmt::format("there is no folder {}", in_quotes(folder.string())));
+    throw cannot_write(path, fmt::format("there is no folder {}", in_quotes(utf8_from_path(folder))));
   }
   if (fs::exists(status)) require_writable(target);
   errno = 0;

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <graze/io/file/open_file_lock.hpp>
 
-#if __has_include(<sys/file.h>) && __has_include(<unistd.h>) && !defined(__EMSCRIPTEN__)
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#ifndef NOMINMAX
+#define NOMINMAX
+#endif
+#include <windows.h>
+#define GRAZE_HAS_FLOCK 0
+#elif __has_include(<sys/file.h>) && __has_include(<unistd.h>) && !defined(__EMSCRIPTEN__)
 #define GRAZE_HAS_FLOCK 1
 #include <fcntl.h>
 #include <sys/file.h>
@@ -41,7 +48,32 @@ OpenFileLock OpenFileLock::of_existing(const std::filesystem::path& path) {
 }
 
 OpenFileLock::~OpenFileLock() {
-  if (is_held()) close(file_);
+  if (is_held()) close(static_cast<int>(file_));
+}
+
+#elif defined(_WIN32)
+
+namespace {
+
+constexpr DWORD readable_and_removable = FILE_SHARE_READ | FILE_SHARE_DELETE;
+
+std::intptr_t opened(const std::filesystem::path& path, DWORD access, DWORD others, DWORD creation) {
+  return reinterpret_cast<std::intptr_t>(
+      CreateFileW(path.c_str(), access, others, nullptr, creation, FILE_ATTRIBUTE_NORMAL, nullptr));
+}
+
+}  // namespace
+
+OpenFileLock OpenFileLock::of_new(const std::filesystem::path& path) {
+  return OpenFileLock(opened(path, GENERIC_WRITE, readable_and_removable | FILE_SHARE_WRITE, CREATE_NEW));
+}
+
+OpenFileLock OpenFileLock::of_existing(const std::filesystem::path& path) {
+  return OpenFileLock(opened(path, GENERIC_READ, readable_and_removable, OPEN_EXISTING));
+}
+
+OpenFileLock::~OpenFileLock() {
+  if (is_held()) CloseHandle(reinterpret_cast<HANDLE>(file_));
 }
 
 #else

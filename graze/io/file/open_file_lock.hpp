@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <utility>
 
 namespace graze::io {
 
-/// An advisory lock (flock) on a file. The system releases it when the process ends for any reason. On systems without
-/// such locks, none is ever held.
+/// A lock on a file: an advisory one (flock), or on Windows an open handle beside which others may not be opened for
+/// writing. The system releases it when the process ends for any reason. On systems without such locks, none is ever
+/// held.
 class OpenFileLock {
  public:
   OpenFileLock() = default;
@@ -31,11 +33,12 @@ class OpenFileLock {
   bool is_held() const { return file_ != none; }
 
  private:
-  static constexpr int none = -1;
+  using File = std::intptr_t;  // a file descriptor, or a HANDLE
+  static constexpr File none = -1;
 
-  explicit OpenFileLock(int file) : file_(file) {}
+  explicit OpenFileLock(File file) : file_(file) {}
 
-  int file_ = none;
+  File file_ = none;
 };
 
 }  // namespace graze::io

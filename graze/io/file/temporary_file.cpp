@@ -11,8 +11,11 @@
 #include <fmt/format.h>
 
 #include <graze/io/file/temporary_file.hpp>
+#include <graze/io/file/utf8_path.hpp>
 
-#if __has_include(<unistd.h>)
+#ifdef _WIN32
+#include <wchar.h>
+#elif __has_include(<unistd.h>)
 #include <unistd.h>
 #else
 #include <cstdio>
@@ -32,7 +35,7 @@ struct Slot {
   enum State : int { vacant, filling, filled };
 
   std::atomic<int> state = vacant;
-  std::array<char, 4096> path = {};
+  std::array<fs::path::value_type, 4096> path = {};
 };
 
 constexpr std::size_t slot_count = 16;
@@ -42,13 +45,13 @@ static_assert(std::atomic<int>::is_always_lock_free);
 /// Reserves a slot for a path. Returns slot_count if all are taken or the path is too long; then no handler removes the
 /// file, but the next program that writes to the folder does.
 std::size_t take_slot(const fs::path& path) {
-  const std::string text = path.string();
+  const fs::path::string_type& text = path.native();
   if (text.size() >= slots[0].path.size()) return slot_count;
   for (std::size_t i = 0; i < slot_count; ++i) {
     int expected = Slot::vacant;
     if (!slots[i].state.compare_exchange_strong(expected, Slot::filling)) continue;
     std::copy(text.begin(), text.end(), slots[i].path.begin());
-    slots[i].path[text.size()] = '\0';
+    slots[i].path[text.size()] = fs::path::value_type{};
     slots[i].state = Slot::filled;
     return i;
   }
@@ -76,7 +79,7 @@ void remove_leftovers(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    if (!is_temporary_name(entry->path().filename().string())) continue;
+    if (!is_temporary_name(utf8_from_path(entry->path().filename()))) continue;
     const OpenFileLock lock = OpenFileLock::of_existing(entry->path());
     std::error_code ignored;
     if (lock.is_held()) fs::remove(entry->path(), ignored);
@@ -111,7 +114,9 @@ TemporaryFile::~TemporaryFile() {
 void remove_temporary_files() noexcept {
   for (Slot& slot : slots) {
     if (slot.state != Slot::filled) continue;
-#if __has_include(<unistd.h>)
+#ifdef _WIN32
+    _wunlink(slot.path.data());
+#elif __has_include(<unistd.h>)
     unlink(slot.path.data());
 #else
     std::remove(slot.path.data());

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include <graze/io/file/utf8_path.hpp>
 #include <graze/io/file/whole_file.hpp>
 #include <graze/io/input_error.hpp>
 
@@ -29,7 +30,7 @@ std::size_t expected_size(const fs::path& path) {
 
 // Read to the end: a pipe has no size, and a reported size is not to be trusted.
 std::string read_whole_file(const fs::path& path, std::string_view what) {
-  const std::string source = path.string();
+  const std::string source = utf8_from_path(path);
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::status_known(status)) throw InputError(source + ": cannot be read: " + error.message());

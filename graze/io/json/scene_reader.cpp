@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,6 +18,7 @@
 #include <graze/io/json/document.hpp>
 #include <graze/io/json/fields.hpp>
 #include <graze/io/json/ids.hpp>
+#include <graze/io/json/mesh_files.hpp>
 #include <graze/io/json/shape_reader.hpp>
 #include <graze/io/json_scene.hpp>
 #include <graze/io/text/in_quotes.hpp>
@@ -86,8 +88,9 @@ bool read_flag(JsonValue value, const JsonFieldName& name, const JsonPlace& plac
 template <Dim N>
 class ObjectReader {
  public:
-  explicit ObjectReader(const JsonFields& scene)
+  ObjectReader(const JsonFields& scene, const std::optional<std::filesystem::path>& folder)
       : document_place_(scene.place()),
+        mesh_files_(folder),
         objects_(scene.array("objects")),
         excepted_pairs_(scene.find("excepted_pairs")) {
     read_layers(scene);
@@ -96,13 +99,15 @@ class ObjectReader {
     if (!ids.next.empty() || !ids.vacant.empty()) scene_.plan_ids(ids.next, ids.vacant);
   }
 
-  /// Returns the scene without the velocities, which a scene does not store.
-  AnyScene read(std::vector<ObjectVelocity>& velocities) {
+  /// The file's scene, and what a scene does not store.
+  void read(SceneFile& file) {
     std::size_t index = 0;
     for (const JsonValue object : objects_.items()) add(object, index++);
     if (excepted_pairs_) except(*excepted_pairs_);
-    velocities = std::move(velocities_);
-    return std::move(scene_);
+    file.scene = std::move(scene_);
+    file.velocities = std::move(velocities_);
+    file.omissions = mesh_files_.omissions();
+    file.warnings = mesh_files_.warnings();
   }
 
  private:
@@ -157,7 +162,7 @@ class ObjectReader {
     if (object.kind() == JsonKind::object) {
       if (const auto name = object.find("name")) place.name = name->text();
     }
-    AnyShape<N, double> shape = read_json_shape<N>(object, place, object_fields);
+    AnyShape<N, double> shape = read_shape(object, place);
     ObjectOptions options = read_options(object, place);
     if (options.name.empty()) options.name = name_for_unnamed(index);
     try {
@@ -170,6 +175,16 @@ class ObjectReader {
       }
     } catch (const std::invalid_argument& refusal) {
       throw place.error(object.offset(), refusal.what());
+    }
+  }
+
+  AnyShape<N, double> read_shape(JsonValue object, const JsonPlace& place) {
+    if (!is_mesh_by_file(object)) return read_json_shape<N>(object, place, object_fields);
+    if constexpr (N == 3) {
+      return mesh_files_.read(object, place, object_fields);
+    } else {
+      throw JsonFields(object, place, "a mesh")
+          .error("file", "names a mesh file, which is 3D; in a 2D scene, a mesh has \"vertices\" and \"faces\"");
     }
   }
 
@@ -250,6 +265,7 @@ class ObjectReader {
   }
 
   const JsonPlace& document_place_;
+  JsonMeshFiles mesh_files_;
   JsonValue objects_;
   std::optional<JsonValue> excepted_pairs_;
   Scene<N, double> scene_;
@@ -262,7 +278,7 @@ class ObjectReader {
 
 }  // namespace
 
-SceneFile read_json_scene(const JsonDocument& document) {
+SceneFile read_json_scene(const JsonDocument& document, const std::optional<std::filesystem::path>& folder) {
   const JsonPlace place{document};
   const JsonValue root = document.root();
   if (root.kind() != JsonKind::object) {
@@ -273,13 +289,13 @@ SceneFile read_json_scene(const JsonDocument& document) {
   scene.allow_only(scene_fields);
   const Dim dimension = read_dimension(scene);
   const YAxis y_axis = read_y_axis(scene, dimension);
-  std::vector<ObjectVelocity> velocities;
-  AnyScene objects = dimension == 2 ? ObjectReader<2>(scene).read(velocities) : ObjectReader<3>(scene).read(velocities);
-  return {std::move(objects), document.source(), std::string(json_scene_schema), y_axis, {}, std::move(velocities)};
+  SceneFile file{AnyScene(), document.source(), std::string(json_scene_schema), y_axis, {}};
+  dimension == 2 ? ObjectReader<2>(scene, folder).read(file) : ObjectReader<3>(scene, folder).read(file);
+  return file;
 }
 
 SceneFile parse_json_scene(std::string_view text, const std::string& source) {
-  return read_json_scene(JsonDocument(text, source));
+  return read_json_scene(JsonDocument(text, source), std::nullopt);
 }
 
 }  // namespace graze::io

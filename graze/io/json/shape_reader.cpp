@@ -178,20 +178,12 @@ std::array<std::uint32_t, 3> read_face(JsonValue value, const JsonFieldName& nam
   return face;
 }
 
-/// A surface if the field is missing.
-MeshKind read_mesh_kind(const JsonFields& fields) {
-  const std::optional<JsonValue> value = fields.find("kind");
-  if (!value) return MeshKind::surface;
-  const std::string_view kind = read_text(*value, {"kind"}, fields.place());
-  const auto* const found = std::find(mesh_kind_names.begin(), mesh_kind_names.end(), kind);
-  if (found == mesh_kind_names.end()) {
-    throw fields.error("kind", fmt::format("is {}; a mesh is a \"surface\" or a \"solid\"", in_quotes(kind)));
-  }
-  return static_cast<MeshKind>(found - mesh_kind_names.begin());
-}
-
 template <Dim N>
 Mesh<N, double> read_shape(const JsonFields& fields, std::type_identity<Mesh<N, double>>) {
+  if (N == 3 && !fields.find("vertices") && !fields.find("faces")) {
+    throw fields.place().error(fields.offset(),
+                               "a mesh needs \"vertices\" and \"faces\", or the \"file\" that has them");
+  }
   std::vector<Vec<N, double>> vertices;
   for (const JsonValue vertex : fields.array("vertices").items()) {
     vertices.push_back(read_vector<N>(vertex, {"vertices", vertices.size()}, fields.place()));
@@ -200,7 +192,7 @@ Mesh<N, double> read_shape(const JsonFields& fields, std::type_identity<Mesh<N, 
   for (const JsonValue face : fields.array("faces").items()) {
     faces.push_back(read_face(face, {"faces", faces.size()}, fields.place(), vertices.size()));
   }
-  return mesh_of<N, double>(vertices, faces, read_mesh_kind(fields));
+  return mesh_of<N, double>(vertices, faces, read_json_mesh_kind(fields));
 }
 
 std::size_t part_depth(const JsonPlace& place) {
@@ -255,6 +247,17 @@ void refuse_other_dimension(const JsonFields& fields, std::size_t type_index) {
 }
 
 }  // namespace
+
+MeshKind read_json_mesh_kind(const JsonFields& fields) {
+  const std::optional<JsonValue> value = fields.find("kind");
+  if (!value) return MeshKind::surface;
+  const std::string_view kind = read_text(*value, {"kind"}, fields.place());
+  const auto* const found = std::find(mesh_kind_names.begin(), mesh_kind_names.end(), kind);
+  if (found == mesh_kind_names.end()) {
+    throw fields.error("kind", fmt::format("is {}; a mesh is a \"surface\" or a \"solid\"", in_quotes(kind)));
+  }
+  return static_cast<MeshKind>(found - mesh_kind_names.begin());
+}
 
 template <Dim N>
 AnyShape<N, double> read_json_shape(JsonValue object, const JsonPlace& place,

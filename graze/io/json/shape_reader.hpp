@@ -8,6 +8,7 @@
 #include <graze/io/json/fields.hpp>
 #include <graze/math/platform/export.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/mesh.hpp>
 
 namespace graze::io {
 
@@ -16,6 +17,9 @@ namespace graze::io {
 template <Dim N>
 AnyShape<N, double> read_json_shape(JsonValue object, const JsonPlace& place,
                                     std::span<const std::string_view> other_fields);
+
+/// The field "kind" of a mesh; a surface if it is missing. Throws InputError.
+MeshKind read_json_mesh_kind(const JsonFields& fields);
 
 /// Reads a shape from the text of a JSON object, `source` in messages. Throws InputError; the returned shape is valid.
 template <Dim N>

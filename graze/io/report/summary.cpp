@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,6 +16,8 @@
 #include <graze/io/report/summary.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/hull/lexicographic.hpp>
+#include <graze/shape/welded.hpp>
 
 namespace graze::io {
 namespace {
@@ -109,6 +113,40 @@ void measure(const Scene<N, double>& scene, SceneSummary& summary) {
   summary.sizes = spread_of(std::move(sizes));
 }
 
+/// The numbers of vertices whose coordinates occur before.
+template <Dim N>
+std::size_t duplicates_in(std::span<const Vec<N, double>> vertices) {
+  std::vector<Vec<N, double>> sorted(vertices.begin(), vertices.end());
+  std::sort(sorted.begin(), sorted.end(), detail::lexicographically_less<N, double>);
+  return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
+}
+
+/// Meshes that share triangles are examined once.
+template <Dim N>
+std::vector<MeshCount> meshes_of(const Scene<N, double>& scene) {
+  std::map<const void*, MeshCount> known;
+  std::vector<MeshCount> meshes;
+  for (const ObjectId id : scene.ids()) {
+    const auto* const mesh = std::get_if<Mesh<N, double>>(&scene.object(id).shape);
+    if (mesh == nullptr) continue;
+    const auto& data = *detail::placed(*mesh).data();
+    const auto [count, is_new] = known.try_emplace(&data);
+    if (is_new) {
+      const auto own = mesh_of<N, double>(data.vertices(), data.faces(), data.kind());
+      count->second = {"",
+                       data.kind(),
+                       data.vertices().size(),
+                       data.faces().size(),
+                       duplicates_in<N>(data.vertices()),
+                       report(welded(own))};
+      count->second.report.unused_vertices = report(own).unused_vertices;
+    }
+    meshes.push_back(count->second);
+    meshes.back().name = scene.object(id).name;
+  }
+  return meshes;
+}
+
 }  // namespace
 
 SceneSummary summarise(const SceneFile& file) {
@@ -123,6 +161,7 @@ SceneSummary summarise(const SceneFile& file) {
         summary.types = types_of(scene);
         summary.layers = layers_of(scene);
         measure(scene, summary);
+        summary.meshes = meshes_of(scene);
       },
       file.scene);
   return summary;

@@ -12,6 +12,8 @@
 #include <graze/io/scene_file.hpp>
 #include <graze/math/platform/export.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/mesh.hpp>
+#include <graze/shape/mesh_report.hpp>
 
 namespace graze::io {
 
@@ -46,6 +48,17 @@ struct Extent {
   std::vector<double> max;
 };
 
+/// A mesh of a scene. Edges and faces are counted in the mesh's own coordinates, after vertices with equal coordinates
+/// have been joined: files repeat vertices where normals or colours change.
+struct MeshCount {
+  std::string name;  ///< Of the object.
+  MeshKind kind = MeshKind::surface;
+  std::size_t vertices = 0;            ///< As in the file.
+  std::size_t faces = 0;               ///< Triangles.
+  std::size_t duplicate_vertices = 0;  ///< Those with the coordinates of another one.
+  MeshReport report;                   ///< `unused_vertices` is that of the mesh as in the file.
+};
+
 struct SceneSummary {
   std::string source;
   std::string format;
@@ -57,6 +70,7 @@ struct SceneSummary {
   std::size_t unbounded = 0;     ///< Rays, planes, half-spaces and compounds that contain one: they have no size.
   std::size_t empty = 0;         ///< Compounds without parts, which have no size either.
   std::optional<SizeSpread> sizes;  ///< None when no object is bounded.
+  std::vector<MeshCount> meshes;    ///< Objects that are meshes; those inside compounds are not listed.
   std::vector<Omission> omissions;
 };
 

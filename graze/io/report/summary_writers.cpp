@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -29,6 +31,28 @@ Json sizes_as_json(const SizeSpread& sizes) {
     bins.push_back({{"from", bin.from}, {"to", bin.to}, {"objects", bin.objects}});
   }
   return {{"min", sizes.min}, {"median", sizes.median}, {"p90", sizes.p90}, {"max", sizes.max}, {"bins", bins}};
+}
+
+/// The counts of a report and their names, in JSON with underscores.
+std::vector<std::pair<std::string_view, std::size_t>> counts_of(const MeshCount& mesh) {
+  return {{"duplicate_vertices", mesh.duplicate_vertices},  {"unused_vertices", mesh.report.unused_vertices},
+          {"open_edges", mesh.report.open_edges},           {"non_manifold_edges", mesh.report.non_manifold_edges},
+          {"flipped_edges", mesh.report.flipped_edges},     {"degenerate_faces", mesh.report.degenerate_faces},
+          {"duplicate_faces", mesh.report.duplicate_faces}, {"components", mesh.report.components}};
+}
+
+Json meshes_as_json(const std::vector<MeshCount>& meshes) {
+  Json result = Json::array();
+  for (const MeshCount& mesh : meshes) {
+    Json entry = {{"name", mesh.name},
+                  {"kind", mesh_kind_names[static_cast<std::size_t>(mesh.kind)]},
+                  {"closed", mesh.report.is_closed},
+                  {"vertices", mesh.vertices},
+                  {"faces", mesh.faces}};
+    for (const auto& [name, count] : counts_of(mesh)) entry[std::string(name)] = count;
+    result.push_back(std::move(entry));
+  }
+  return result;
 }
 
 /// One aligned block of the table: its title, then a line per entry.
@@ -98,6 +122,31 @@ void add_sizes(Block& block, const SizeSpread& sizes) {
   }
 }
 
+/// The sums over all meshes; of faults only those that occur.
+void add_meshes(Block& block, const std::vector<MeshCount>& meshes) {
+  if (meshes.empty()) return;
+  std::vector<std::pair<std::string_view, std::size_t>> sums = counts_of({});
+  std::array<std::size_t, 4> totals{};  // vertices, faces, closed meshes, solids
+  for (const MeshCount& mesh : meshes) {
+    totals[0] += mesh.vertices;
+    totals[1] += mesh.faces;
+    totals[2] += mesh.report.is_closed ? 1 : 0;
+    totals[3] += mesh.kind == MeshKind::solid ? 1 : 0;
+    const auto counts = counts_of(mesh);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i].second += counts[i].second;
+  }
+  block.add("vertices", fmt::format("{}", totals[0]));
+  block.add("faces", fmt::format("{}", totals[1]));
+  block.add("closed", fmt::format("{} of {}", totals[2], meshes.size()));
+  if (totals[3] != 0) block.add("solids", fmt::format("{} of {}", totals[3], meshes.size()));
+  for (const auto& [name, sum] : sums) {
+    std::string label(name);
+    std::replace(label.begin(), label.end(), '_', ' ');
+    if (label.starts_with("non ")) label[3] = '-';
+    if (sum != 0) block.add(label, fmt::format("{}", sum));
+  }
+}
+
 }  // namespace
 
 void write_summary_json(std::ostream& out, const SceneSummary& summary) {
@@ -114,6 +163,7 @@ void write_summary_json(std::ostream& out, const SceneSummary& summary) {
                          {"unbounded", summary.unbounded},
                          {"empty", summary.empty},
                          {"sizes", summary.sizes ? sizes_as_json(*summary.sizes) : Json(nullptr)},
+                         {"meshes", meshes_as_json(summary.meshes)},
                          {"not_read", Json::parse(omissions_json(summary.omissions))}};
   out << document.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
@@ -129,9 +179,11 @@ void write_summary_table(std::ostream& out, const SceneSummary& summary, Colours
   add_space(space, summary);
   Block sizes("sizes (largest extent of each box)", colours);
   if (summary.sizes) add_sizes(sizes, *summary.sizes);
+  Block meshes("meshes", colours);
+  add_meshes(meshes, summary.meshes);
   Block not_read("not read", colours);
   for (const Omission& omission : summary.omissions) not_read.add(omission.what, fmt::format("{}", omission.count));
-  for (const Block* block : {&types, &layers, &space, &sizes, &not_read}) block->write(out);
+  for (const Block* block : {&types, &layers, &space, &sizes, &meshes, &not_read}) block->write(out);
 }
 
 }  // namespace graze::io

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <graze/io/text/foreign_format.hpp>
+#include <graze/io/text/printable.hpp>
 #include <graze/io/text/utf8.hpp>
 
 namespace graze::io {
@@ -15,11 +16,10 @@ namespace {
 
 constexpr std::string_view write_shapes =
     "write its collision shapes as graze's JSON or CSV, which docs/scene_format.md describes";
-constexpr std::string_view write_polytopes =
-    "graze reads no meshes: write its convex parts as polytopes in graze's JSON, which docs/scene_format.md describes";
+constexpr std::string_view export_mesh = "export it as glTF (.glb), STL, OBJ, PLY or OFF";
 constexpr std::string_view give_map = "give the map (.tmx or .tmj) that uses it";
 constexpr std::string_view no_comments =
-    "remove it: no format that graze reads (its own JSON, CSV and Tiled maps) has comments at its start";
+    "remove it: no scene that graze reads (its own JSON, CSV and Tiled maps) has comments at its start";
 constexpr std::string_view export_map = "give the map itself (.tmx), or export it as JSON (.tmj)";
 
 /// A format, how to recognise it, and what to do about it.
@@ -34,21 +34,12 @@ constexpr std::array beginnings = {
     KnownFormat{"[gd_scene", "a Godot scene", write_shapes},
     KnownFormat{"[gd_resource", "a Godot resource", write_shapes},
     KnownFormat{"%YAML", "YAML, as Unity writes its scenes", write_shapes},
-    KnownFormat{"BLENDER", "a Blender file", write_polytopes},
-    KnownFormat{"Kaydara FBX", "a mesh in FBX", write_polytopes},
-    KnownFormat{"; FBX", "a mesh in FBX", write_polytopes},
-    KnownFormat{"glTF", "a mesh in glTF (.glb)", write_polytopes},
-    KnownFormat{"solid ", "a mesh in STL", write_polytopes},
-    KnownFormat{"ply\n", "a mesh in PLY", write_polytopes},
-    KnownFormat{"ply\r", "a mesh in PLY", write_polytopes},
-    KnownFormat{"OFF\n", "a mesh in OFF", write_polytopes},
-    KnownFormat{"mtllib ", "a mesh in OBJ", write_polytopes},
-    KnownFormat{"# Blender", "a mesh in OBJ", write_polytopes},
-    KnownFormat{"v ", "a mesh in OBJ", write_polytopes},
-    KnownFormat{"o ", "a mesh in OBJ", write_polytopes},
-    KnownFormat{"#usda", "a scene in USD", write_polytopes},
+    KnownFormat{"BLENDER", "a Blender file", export_mesh},
+    KnownFormat{"Kaydara FBX", "a mesh in FBX", export_mesh},
+    KnownFormat{"; FBX", "a mesh in FBX", export_mesh},
+    KnownFormat{"#usda", "a scene in USD", export_mesh},
     KnownFormat{"# .PCD", "a point cloud in PCD", write_shapes},
-    KnownFormat{"ISO-10303-21", "a CAD model in STEP", write_polytopes},
+    KnownFormat{"ISO-10303-21", "a CAD model in STEP", export_mesh},
     KnownFormat{"0\nSECTION", "a drawing in DXF", write_shapes},
     KnownFormat{"0\r\nSECTION", "a drawing in DXF", write_shapes},
     KnownFormat{"(function(name,data)", "a map that Tiled exported as JavaScript", export_map},
@@ -78,8 +69,8 @@ constexpr std::array roots = {KnownFormat{"tileset", "a Tiled tileset", give_map
                               KnownFormat{"robot", "a robot in URDF", write_shapes},
                               KnownFormat{"sdf", "a robot or world in SDF", write_shapes},
                               KnownFormat{"mujoco", "a MuJoCo model", write_shapes},
-                              KnownFormat{"COLLADA", "a mesh in COLLADA", write_polytopes},
-                              KnownFormat{"X3D", "a mesh in X3D", write_polytopes},
+                              KnownFormat{"COLLADA", "a mesh in COLLADA", export_mesh},
+                              KnownFormat{"X3D", "a mesh in X3D", export_mesh},
                               KnownFormat{"svg", "an SVG picture", write_shapes},
                               KnownFormat{"html", "a web page", "give the scene file itself"},
                               KnownFormat{"kml", "a map in KML", write_shapes},
@@ -105,9 +96,7 @@ constexpr std::array json_signs = {
     KnownFormat{R"("__header__":{"fileType":"LDtk)", "an LDtk project", write_shapes},
     KnownFormat{R"("ogmoVersion":)", "an Ogmo level or project", write_shapes},
     KnownFormat{R"("automappingRulesFile":)", "a Tiled project", "give one of its maps (.tmx or .tmj)"},
-    KnownFormat{R"({"classname""worldspawn")", "a Quake map", write_shapes},
-    KnownFormat{R"("asset":{)", "a mesh in glTF", write_polytopes},
-    KnownFormat{R"("meshes":[)", "a mesh in glTF", write_polytopes}};
+    KnownFormat{R"({"classname""worldspawn")", "a Quake map", write_shapes}};
 
 std::string sentence(const KnownFormat& format) { return fmt::format("this is {}; {}", format.what, format.remedy); }
 
@@ -144,7 +133,7 @@ std::string xml_format(std::string_view text) {
   return fmt::format(
       "this is XML whose root is <{}>; the only XML that graze reads are Tiled maps (.tmx), whose root "
       "is <map>",
-      root.substr(0, 40));
+      printable(root.substr(0, 40)));
 }
 
 std::string json_format(std::string_view text) {
@@ -170,14 +159,6 @@ bool is_section(std::string_view text) {
   return name != "null" && name.find_first_not_of("0123456789-. eE") != std::string_view::npos;
 }
 
-/// Text that begins with "#": in many formats a comment.
-std::string commented_format(std::string_view text) {
-  constexpr std::size_t enough = 2000;
-  const std::string_view start = text.substr(0, enough);
-  if (start.find("\nv ") != std::string_view::npos) return sentence({"#", "a mesh in OBJ", write_polytopes});
-  return sentence({"#", "text that begins with a comment (#)", no_comments});
-}
-
 }  // namespace
 
 std::string foreign_format(std::string_view text) {
@@ -191,7 +172,8 @@ std::string foreign_format(std::string_view text) {
   });
   if (known != beginnings.end()) return sentence(*known);
   if (is_section(content)) return sentence({"[", "INI or TOML", write_shapes});
-  return content.starts_with('#') ? commented_format(content) : "";
+  // In many formats a comment; OBJ and OFF, which may begin with one, are recognised before.
+  return content.starts_with('#') ? sentence({"#", "text that begins with a comment (#)", no_comments}) : "";
 }
 
 }  // namespace graze::io

@@ -3,17 +3,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include <graze/io/file/referenced_file.hpp>
+#include <graze/io/file/utf8_path.hpp>
 #include <graze/io/input_error.hpp>
 #include <graze/io/text/position.hpp>
 #include <graze/io/text/printable.hpp>
@@ -27,26 +26,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Converts a path in a file, which is UTF-8 on every system.
-fs::path path_of(const std::string& text) { return {std::u8string(text.begin(), text.end())}; }
-
 /// The path for messages: not shortened, because its end distinguishes files.
 std::string name_of(const fs::path& path) {
   const std::u8string text = path.generic_u8string();
   return printable(std::string(text.begin(), text.end()));
-}
-
-/// Why a file cannot be read, or nothing. Devices and pipes are refused, because reading them may never end.
-std::string_view difference(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found ||
-      path.native().find(fs::path::value_type{}) != fs::path::string_type::npos)
-    return "there is no such file";
-  if (status.type() == fs::file_type::directory) return "it is a folder";
-  if (error || status.type() != fs::file_type::regular)
-    return "it is not a regular file, or a folder in its path is not accessible";
-  return "";
 }
 
 /// The text of a referenced file, or a complete message why it cannot be read.
@@ -57,18 +40,13 @@ struct Reference {
 
 /// `role` is the expected kind of file: "template".
 Reference read_reference(const fs::path& path, std::string_view role, const TiledPlace& asker) {
-  std::string_view reason = difference(path);
-  Reference read;
-  if (reason.empty()) {
-    std::ifstream stream(path, std::ios::binary);
-    read.text.assign(std::istreambuf_iterator<char>(stream), {});
-    if (!stream.is_open() || stream.bad()) reason = "it cannot be opened or read";
-  }
-  if (reason.empty()) return read;
+  ReferencedFile file = read_referenced_file(path);
+  Reference read{std::move(file.bytes), ""};
+  if (file.fault.empty()) return read;
   const TextPosition position = position_of(asker.file.text, asker.offset);
   read.fault = fmt::format(
       "{}: line {}, column {}: the {} \"{}\" cannot be read: {}; references are relative to the file that makes them",
-      asker.file.name, position.line, position.column, role, name_of(path), reason);
+      asker.file.name, position.line, position.column, role, name_of(path), file.fault);
   return read;
 }
 
@@ -208,7 +186,7 @@ std::vector<TiledTilesetUse> TiledFiles::tilesets(const std::vector<TiledTileset
 
 TiledTilesetUse TiledFiles::use_of(const TiledTileset& written, const TiledText& file, const fs::path& folder) {
   if (written.source.empty()) return {written.first_gid, &written, ""};
-  const fs::path path = (folder / path_of(written.source)).lexically_normal();
+  const fs::path path = (folder / path_from_utf8(written.source)).lexically_normal();
   if (const auto known = tilesets_.find(path); known != tilesets_.end()) return {written.first_gid, &known->second, ""};
   const TiledPlace asker{file, written.offset};
   const Reference read = read_reference(path, "tileset", asker);
@@ -233,7 +211,7 @@ TiledResolvedObject TiledFiles::with_template(const TiledObject& object, const T
 
 const TiledResolvedObject& TiledFiles::template_file(const TiledObject& user, const TiledScope& scope,
                                                      std::vector<fs::path>& open) {
-  const fs::path path = (scope.folder / path_of(user.template_source)).lexically_normal();
+  const fs::path path = (scope.folder / path_from_utf8(user.template_source)).lexically_normal();
   if (const auto known = resolved_.find(path); known != resolved_.end()) return known->second;
   refuse_circle(path, user, scope, open);
 

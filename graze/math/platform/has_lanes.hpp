@@ -10,7 +10,9 @@
 #endif
 #endif
 
-// Functions for wider registers, chosen at run time. The AVX-512 ones could be contracted, see compiler.hpp.
-#if defined(GRAZE_HAS_LANES) && defined(__x86_64__) && defined(GRAZE_NO_CONTRACTION)
+// Functions for wider registers, chosen at run time. The AVX-512 ones could be contracted, see compiler.hpp. On Windows
+// GCC does not align them on the stack (bug 54412).
+#if defined(GRAZE_HAS_LANES) && defined(__x86_64__) && defined(GRAZE_NO_CONTRACTION) && \
+    !(defined(_WIN32) && !defined(__clang__))
 #define GRAZE_HAS_WIDER_LANES
 #endif

@@ -93,14 +93,15 @@ std::optional<CastHit<N>> cast_hit_of_parts(const Whole<N, T>& whole, const Vec<
   std::optional<CastHit<N>> best;
   std::size_t best_index = 0;
   MayReach<N, T> may_reach(motion, touching_bounds(shape), distance);
-  visit_parts(whole, may_reach, ByKey(), [&](const auto& part, std::size_t index) {
+  const auto visit = [&](const auto& part, std::size_t index) {
     const std::optional<CastHit<N>> found = cast(part.shape);
     if (!found || (best && !comes_before(*found, index, *best, best_index))) return true;
     best = found;
     best_index = index;
     may_reach.end_at(found->t);
     return true;
-  });
+  };
+  visit_parts(whole, may_reach, ByKey(), PartVisitor<Whole<N, T>>(visit));
   return best;
 }
 

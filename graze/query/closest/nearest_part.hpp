@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
@@ -31,11 +31,14 @@ template <Dim N>
 class NearestPart {
  public:
   const Proximity<N, double>& nearest() const { return nearest_; }
+  std::uint64_t index() const { return index_; }
 
   /// Whether parts from this index on cannot change the result.
-  bool is_decided_before(std::size_t next) const { return nearest_.relation == Relation::overlapping && index_ < next; }
+  bool is_decided_before(std::uint64_t next) const {
+    return nearest_.relation == Relation::overlapping && index_ < next;
+  }
 
-  void add(const Proximity<N, double>& candidate, std::size_t index) {
+  void add(const Proximity<N, double>& candidate, std::uint64_t index) {
     const Relation relation = std::max(nearest_.relation, candidate.relation);
     if (is_replaced_by(candidate, index)) {
       nearest_ = candidate;
@@ -46,7 +49,7 @@ class NearestPart {
 
  private:
   /// Of parts at the same distance, which may have overflowed, one with points precedes one that has none.
-  bool is_replaced_by(const Proximity<N, double>& candidate, std::size_t index) const {
+  bool is_replaced_by(const Proximity<N, double>& candidate, std::uint64_t index) const {
     if (is_nearer(candidate, nearest_)) return true;
     if (candidate.distance != nearest_.distance || is_nearer(nearest_, candidate)) return false;
     if (std::isnan(candidate.point_a[0])) return false;
@@ -54,14 +57,20 @@ class NearestPart {
   }
 
   Proximity<N, double> nearest_;
-  std::size_t index_ = 0;
+  std::uint64_t index_ = 0;
 };
 
 /// For `visit_parts`: whether a part may be as near to a box, grown as by touching_bounds, as the nearest so far.
 template <Dim N, class T>
 struct MayBeNearest {
   double key(const Aabb<N, T>& grown) const { return distance_squared(grown, box); }
-  bool admits(double key) const { return !is_farther(key, best.nearest().distance); }
+  T most() const { return most_squared<T>(best.nearest().distance); }
+  bool admits(double key) const { return !(key > static_cast<double>(most())); }
+#ifdef GRAZE_HAS_LANES
+  LaneMask lanes(const BoxBlock<N, T>& grown, Row<T>& keys) const {
+    return squared_distances(grown, box, most(), keys);
+  }
+#endif
 
   bool operator()(const Aabb<N, T>& grown) const { return admits(key(grown)); }
   /// In one function, as may_part_touch is.

@@ -2,10 +2,14 @@
 // Which part of a compound, or which face of a mesh, decides a contact. Include contact.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
+#include <graze/math/lanes/sixteen.hpp>
+#include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/query/contact/convex.hpp>
@@ -20,6 +24,8 @@
 #include <graze/shape/any_shape.hpp>
 #include <graze/shape/half_space.hpp>
 #include <graze/shape/mesh.hpp>
+#include <graze/shape/parts/box_block.hpp>
+#include <graze/shape/parts/may_matter.hpp>
 #include <graze/shape/triangle.hpp>
 
 namespace graze::detail {
@@ -33,6 +39,46 @@ struct DecidingContact {
 
   std::optional<Penetration<N>> found;
   FirstPart first;
+};
+
+/// For `visit_parts`: faces whose boxes, grown as by touching_bounds, overlap one so deeply that they may decide the
+/// contact of a convex shape in it. Pushing the box out along an axis separates the shapes, too; so they are no deeper
+/// than that.
+template <Dim N, class T>
+class MayDecideContact {
+ public:
+  MayDecideContact(const Aabb<N, T>& box, const DecidingContact<N>& deepest)
+      : box_(box),
+        deepest_(deepest),
+        slack_(errors * static_cast<double>(std::max(max_abs(box.min), max_abs(box.max)))) {}
+
+  double key(const Aabb<N, T>& grown) const {
+    double most = std::numeric_limits<double>::infinity();
+    for (Dim i = 0; i < N; ++i) {
+      most = std::min(most, static_cast<double>(grown.max[i]) - static_cast<double>(box_.min[i]));
+      most = std::min(most, static_cast<double>(box_.max[i]) - static_cast<double>(grown.min[i]));
+    }
+    return most < 0 ? std::numeric_limits<double>::quiet_NaN() : -most;
+  }
+  bool admits(double key) const { return -key >= least(); }
+  bool operator()(const Aabb<N, T>& grown) const { return admits(key(grown)); }
+#ifdef GRAZE_HAS_LANES
+  LaneMask lanes(const BoxBlock<N, T>& grown, Row<T>& keys) const {
+    return overlapping_lanes(grown, box_, round_down<T>(least()), keys);
+  }
+#endif
+
+ private:
+  static constexpr double errors = 1e-6;  // more than those of depths, and of sums of T
+
+  double least() const {
+    if (!deepest_.found) return 0;
+    return std::max(0.0, deepest_.found->depth - slack_);
+  }
+
+  const Aabb<N, T>& box_;
+  const DecidingContact<N>& deepest_;
+  double slack_;
 };
 
 /// The half-space of which a face is part of the boundary, with the faces' outside outside; none for a flat face.
@@ -107,19 +153,25 @@ auto with_deciding_contact(const Whole& whole, const S& shape, const Aabb<dimens
   if constexpr (N == 3 && is_mesh<Whole>) {
     if (whole.kind() == MeshKind::solid) {
       ContactOfSolid<T, S> contact(whole, shape);
-      visit_parts(whole, may_touch, [&](const auto& part, std::size_t index) {
+      const auto add = [&](const auto& part, std::size_t index) {
         contact.add(find(part.shape), index);
         return true;
-      });
+      };
+      visit_parts(whole, may_touch, PartVisitor<Whole>(add));
       contact.finish();
       return use(contact.found(), contact.index(), contact.is_behind());
     }
   }
   DecidingContact<N> deepest;
-  visit_parts(whole, may_touch, [&](const auto& part, std::size_t index) {
+  const auto add = [&](const auto& part, std::size_t index) {
     deepest.add(find(part.shape), index);
     return true;
-  });
+  };
+  if constexpr (is_mesh<Whole> && !HasParts<S>) {
+    visit_parts(whole, MayDecideContact<N, T>(box, deepest), ByKey(), add);
+  } else {
+    visit_parts(whole, may_touch, PartVisitor<Whole>(add));
+  }
   return use(deepest.found, deepest.first.index(), false);
 }
 

@@ -45,6 +45,18 @@ concept HasNoEnd = requires(const S& shape) {
   shape.normal;
 };
 
+/// A point of a face that is inside a solid with holes, whose winding number may be any on a component of the other.
+template <Dim N, class T>
+std::optional<Vec<N, T>> point_of_face_near_inside(const Mesh<N, T>& solid, const Mesh<N, T>& mesh) {
+  std::optional<Vec<N, T>> point;
+  const auto visit = [&](const FacePart<N, T>& face, std::size_t) {
+    if (is_inside(solid, face.shape.a)) point = face.shape.a;
+    return !point;
+  };
+  visit_parts(mesh, MayTouch<N, T>{touching_bounds(solid)}, visit);
+  return point;
+}
+
 /// A point of a shape that touches no face of a mesh, if the shape is inside the mesh. Only a solid in 3D has more than
 /// its faces. Shapes of several parts are inside if one of them is.
 template <Dim N, class T, class S>
@@ -52,6 +64,7 @@ std::optional<Vec<N, T>> point_inside(const Mesh<N, T>& mesh, const S& shape) {
   if (N == 2 || mesh.kind() != MeshKind::solid) return std::nullopt;
   if constexpr (is_mesh<S>) {
     const PlacedMesh<N, T>& other = placed(shape);
+    if (!placed(mesh).data()->open_edges().empty()) return point_of_face_near_inside(mesh, shape);
     for (const std::uint32_t vertex : other.data()->vertices_of_components()) {
       if (is_inside(mesh, other.vertex(vertex))) return other.vertex(vertex);
     }

@@ -64,6 +64,28 @@ struct AnyPart {
   }
 };
 
+/// For `visit_parts`: refers to what it calls, of any type. Queries on two shapes pass this unless a part is decided in
+/// a few comparisons. So the way through a tree is compiled once and not again for each type of the other shape.
+template <HasParts Whole>
+class PartVisitor {
+ public:
+  static constexpr Dim N = dimension_of<Whole>;
+  using T = scalar_of<Whole>;
+  using Part = std::conditional_t<is_mesh<Whole>, FacePart<N, T>, graze::Part<N, T>>;
+
+  template <class Visit>
+  explicit PartVisitor(const Visit& visit)
+      : visit_(&visit), call_([](const void* of_type, const Part& part, std::size_t index) {
+          return (*static_cast<const Visit*>(of_type))(part, index);
+        }) {}
+
+  bool operator()(const Part& part, std::size_t index) const { return call_(visit_, part, index); }
+
+ private:
+  const void* visit_;
+  bool (*call_)(const void*, const Part&, std::size_t);
+};
+
 /// Which of the parts visited so far decides: the one with the least value, of several the first of the whole.
 class FirstPart {
  public:
@@ -90,17 +112,20 @@ class FirstPart {
 template <Dim N, class T>
 struct MayTouch {
   bool operator()(const Aabb<N, T>& grown) const { return boxes_overlap(grown, box); }
+#ifdef GRAZE_HAS_LANES
+  LaneMask lanes(const BoxBlock<N, T>& grown) const { return overlapping_lanes(grown, box); }
+#endif
   bool operator()(const Part<N, T>& part) const { return may_part_touch(part, box); }
 
   Aabb<N, T> box;
 };
 
-/// Calls use(may_matter), or use with the form that it has for boxes inside one, may_matter.inside(box), which takes
-/// less time.
+/// Calls use(may_matter), or use with the form that it has for boxes inside one, and for faces up to `error` away from
+/// where the query sees them: may_matter.inside(box, error), which takes less time.
 template <class MayMatter, class Box, class Use>
-void with_form_inside(const MayMatter& may_matter, const Box& box, const Use& use) {
-  if constexpr (requires { may_matter.inside(box); }) {
-    use(may_matter.inside(box));
+void with_form_inside(const MayMatter& may_matter, const Box& box, double error, const Use& use) {
+  if constexpr (requires { may_matter.inside(box, error); }) {
+    use(may_matter.inside(box, error));
   } else {
     use(may_matter);
   }
@@ -114,13 +139,15 @@ template <Dim N, class T, class MayMatter, class Order, class Visit>
     const Part<N, T>& part = compound.parts[index];
     if (may_matter(part) && !visit(part, std::size_t{index})) return;
   }
-  const auto visit_at = [&](std::uint32_t index) { return visit(compound.parts[index], std::size_t{index}); };
-  with_form_inside(may_matter, tree.around(), [&](const auto& form) { tree.visit(form, order, visit_at); });
+  const auto visit_at = [&](std::uint32_t index, std::size_t /*place*/) {
+    return visit(compound.parts[index], std::size_t{index});
+  };
+  with_form_inside(may_matter, tree.around(), 0, [&](const auto& form) { tree.visit(form, order, visit_at); });
 }
 
 /// Calls visit(part, index) until it returns false, for the parts that may matter: without a tree, those of which
 /// may_matter(part) is true, in order; with a tree, those of which may_matter(box) is true for the part's box, grown as
-/// by touching_bounds, and for the boxes around that, in the order of `PartTree::visit`.
+/// by touching_bounds, and for the boxes around that, in the order of `BoxTree::visit`.
 template <Dim N, class T, class MayMatter, class Order, class Visit>
 [[gnu::always_inline]] inline void visit_parts(const Compound<N, T>& compound, const MayMatter& may_matter,
                                                const Order& order, const Visit& visit) {
@@ -139,6 +166,25 @@ struct AtPlace {
   bool operator()(const Aabb<N, T>& box) const { return may_matter(faces.at_place(box)); }
   double key(const Aabb<N, T>& box) const { return may_matter.key(faces.at_place(box)); }
   bool admits(double key) const { return may_matter.admits(key); }
+#ifdef GRAZE_HAS_LANES
+  LaneMask lanes(const BoxBlock<N, T>& block) const requires TestsLanes<MayMatter, N, T> {
+    BoxBlock<N, T> placed;
+    return may_matter.lanes(faces.at_place(block, placed));
+  }
+  LaneMask lanes(const BoxBlock<N, T>& block, Row<T>& keys) const requires FindsKeysOfLanes<MayMatter, N, T> {
+    BoxBlock<N, T> placed;
+    return may_matter.lanes(faces.at_place(block, placed), keys);
+  }
+  LaneMask lanes(const TriangleBlock<N, T>& block) const requires TestsContents<MayMatter, TriangleBlock<N, T>> {
+    TriangleBlock<N, T> placed;
+    return may_matter.lanes(faces.at_place(block, placed));
+  }
+  LaneMask lanes(const TriangleBlock<N, T>& block,
+                 Row<T>& keys) const requires FindsKeysOfContents<MayMatter, TriangleBlock<N, T>, T> {
+    TriangleBlock<N, T> placed;
+    return may_matter.lanes(faces.at_place(block, placed), keys);
+  }
+#endif
 
   const PlacedMesh<N, T>& faces;
   const MayMatter& may_matter;
@@ -148,14 +194,14 @@ struct AtPlace {
 template <Dim N, class T, class MayMatter, class Order, class Visit>
 void visit_parts(const Mesh<N, T>& mesh, const MayMatter& may_matter, const Order& order, const Visit& visit) {
   const PlacedMesh<N, T>& faces = placed(mesh);
-  const auto visit_face = [&](std::uint32_t face) {
-    return visit(FacePart<N, T>{faces.triangle(face)}, std::size_t{face});
+  const auto visit_face = [&](std::uint32_t face, std::size_t place) {
+    return visit(FacePart<N, T>{faces.triangle_in_tree(place)}, std::size_t{face});
   };
-  const PartTree<N, T>& tree = faces.data()->tree();
+  const auto& tree = faces.data()->tree();
   for (const std::uint32_t face : tree.unbounded()) {
-    if (!visit_face(face)) return;
+    if (!visit(FacePart<N, T>{faces.triangle(face)}, std::size_t{face})) return;
   }
-  with_form_inside(may_matter, faces.at_place(tree.around()), [&](const auto& form) {
+  with_form_inside(may_matter, faces.at_place(tree.around()), faces.error_of_lanes(), [&](const auto& form) {
     if (!faces.is_moved()) return tree.visit(form, order, visit_face);
     const AtPlace<N, T, std::decay_t<decltype(form)>> form_there{faces, form};
     if constexpr (std::is_same_v<Order, InAnyOrder> || std::is_same_v<Order, ByKey>) {

@@ -111,10 +111,14 @@ WideManifold<dimension_of<A>> manifold_in_frame(const A& a, const B& b, const Pe
 /// For two simple shapes in any order, whose contact is known.
 template <class A, class B>
 WideManifold<dimension_of<A>> manifold_of_asked(const A& a, const B& b, const Penetration<dimension_of<A>>& found) {
-  if (is_in_order(a, b)) return manifold_in_frame(a, b, found);
-  WideManifold<dimension_of<A>> result = manifold_in_frame(b, a, exchanged(found));
-  exchange(result);
-  return result;
+  if constexpr (are_exchanged<A, B> || are_in_either_order<A, B>) {
+    if (!is_in_order(a, b)) {
+      WideManifold<dimension_of<A>> result = manifold_in_frame(b, a, exchanged(found));
+      exchange(result);
+      return result;
+    }
+  }
+  return manifold_in_frame(a, b, found);
 }
 
 /// For two simple shapes that a fast test shows to meet.
@@ -132,7 +136,7 @@ template <class A, class B>
 WideManifold<dimension_of<A>> manifold_in_any_order(const A& a, const B& b) {
   if constexpr (contact_place<A> < contact_place<B>) {
     return manifold_in_order(a, b);
-  } else if constexpr (contact_place<A> > contact_place<B>) {
+  } else if constexpr (are_contacts_exchanged<A, B>) {
     WideManifold<dimension_of<A>> result = manifold_in_order(b, a);
     exchange(result);
     return result;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 #include <variant>
 
@@ -100,6 +101,27 @@ bool is_in_order(const A& a, const B& b) {
   }
 }
 
+/// True for different types of which B is the first in the order of AnyShape. Queries then ask for (b, a) and turn the
+/// answer, so that a pair of types is compiled in one order only.
+template <class A, class B>
+inline constexpr bool are_exchanged = type_place<A> > type_place<B>;
+
+/// True if a may precede b or follow it, which the types alone do not tell.
+template <class A, class B>
+inline constexpr bool are_in_either_order = type_place<A> == type_place<B>;
+
+/// ask(a, b), or turn(ask(b, a)) if b precedes a: the same bits for both orders of the arguments.
+template <class A, class B, class Ask, class Turn>
+[[gnu::always_inline]] inline auto answer_in_order(const A& a, const B& b, const Ask& ask, const Turn& turn) {
+  if constexpr (type_place<A> < type_place<B>) {
+    return ask(a, b);
+  } else if constexpr (are_exchanged<A, B>) {
+    return turn(ask(b, a));
+  } else {
+    return is_in_order(a, b) ? ask(a, b) : turn(ask(b, a));
+  }
+}
+
 template <Convex A, Convex B>
 Relation relation_of_convex_ordered(const A& a, const B& b);
 
@@ -128,7 +150,8 @@ Relation relation_of_convex(const A& a, const B& b) {
 /// The same for swapped arguments.
 template <Convex A, Convex B>
 Relation relation_of_convex_ordered(const A& a, const B& b) {
-  return is_in_order(a, b) ? relation_of_convex(a, b) : relation_of_convex(b, a);
+  const auto ask = [](const auto& first, const auto& second) { return relation_of_convex(first, second); };
+  return answer_in_order(a, b, ask, std::identity());
 }
 
 }  // namespace graze::detail

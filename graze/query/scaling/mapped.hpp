@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <graze/math/platform/bit_cast.hpp>
+#include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/convex/wide_support.hpp>
 #include <graze/shape/any_shape.hpp>
@@ -56,8 +57,18 @@ constexpr bool has_usual_normal(const S& shape) {
   return true;
 }
 
+/// The greatest squared distance that is not farther than a distance; more if squares underflow.
+inline double most_not_farther(double distance) { return std::max(distance * distance, 0x1p-960); }
+
+/// The same for squares of T, which underflow earlier.
+template <class T>
+T most_squared(double distance) {
+  constexpr double least = std::is_same_v<T, float> ? 0x1p-120 : 0x1p-960;
+  return round_up<T>(std::max(distance * distance, least));
+}
+
 /// Whether a squared distance is greater than the square of another distance; false if squares underflow.
-inline bool is_farther(double squared, double distance) { return squared > distance * distance && squared > 0x1p-960; }
+inline bool is_farther(double squared, double distance) { return squared > most_not_farther(distance); }
 
 /// Multiplies by 2^exponent: in two steps, since one factor might exceed the range of double. Exact, except for
 /// overflow and underflow.

@@ -21,8 +21,11 @@
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/mesh/components.hpp>
 #include <graze/shape/mesh/open_edges.hpp>
+#include <graze/shape/parts/box_tree.hpp>
 #include <graze/shape/parts/grown_box.hpp>
-#include <graze/shape/parts/part_tree.hpp>
+#include <graze/shape/parts/pieces.hpp>
+#include <graze/shape/parts/reach_lanes.hpp>
+#include <graze/shape/parts/triangle_block.hpp>
 #include <graze/shape/triangle.hpp>
 
 namespace graze {
@@ -38,71 +41,106 @@ inline constexpr std::array<std::string_view, 2> mesh_kind_names = {"surface", "
 
 namespace detail {
 
-/// The vertices and faces in their own coordinates, and a tree of the faces' grown boxes. Never changes.
+/// The faces, as the lowest level of a tree.
+template <Dim N, class T>
+class FaceLeaves {
+ public:
+  using Faces = std::vector<std::array<std::uint32_t, 3>>;
+
+  template <class Executor>
+  void set(const Executor& executor, std::span<const std::uint32_t> parts, const std::vector<Vec<N, T>>& vertices,
+           const Faces& faces) {
+    blocks_.resize((parts.size() + row_length - 1) / row_length);
+    for_pieces(executor, blocks_.size() * row_length, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const auto& [a, b, c] = faces[parts[std::min(i, parts.size() - 1)]];
+        blocks_[i / row_length].set(i % row_length, {vertices[a], vertices[b], vertices[c]});
+      }
+    });
+  }
+
+  Triangle<N, T> triangle(std::size_t place) const { return blocks_[place / row_length].triangle(place % row_length); }
+  Aabb<N, T> box(std::size_t place) const { return grown_box_of(triangle(place)); }
+  const BoxBlock<N, T>& block(std::size_t index, BoxBlock<N, T>& buffer) const {
+    set_boxes_around(blocks_[index], buffer);
+    return buffer;
+  }
+  const TriangleBlock<N, T>& contents(std::size_t index) const { return blocks_[index]; }
+
+ private:
+  std::vector<TriangleBlock<N, T>> blocks_;
+};
+
+/// The vertices and faces in their own coordinates, and a tree of the faces. Never changes.
 template <Dim N, class T>
 class MeshData {
  public:
   using Faces = std::vector<std::array<std::uint32_t, 3>>;
+  using Tree = BoxTree<N, T, FaceLeaves<N, T>>;
 
-  MeshData(std::vector<Vec<N, T>> vertices, Faces faces, MeshKind kind)
-      : vertices_(std::move(vertices)), faces_(std::move(faces)), kind_(kind), tree_(boxes_of_faces(), whole(), true) {}
+  template <class Executor>
+  MeshData(std::vector<Vec<N, T>> vertices, Faces faces, MeshKind kind, const Executor& executor)
+      : vertices_(std::move(vertices)),
+        faces_(std::make_shared<const Faces>(std::move(faces))),
+        kind_(kind),
+        tree_(new_tree(executor)) {
+    set_box();
+  }
 
   /// The same faces with other vertices: the tree keeps its order unless its boxes have grown too much.
   MeshData(const MeshData& before, std::vector<Vec<N, T>> vertices)
-      : vertices_(std::move(vertices)),
-        faces_(before.faces_),
-        kind_(before.kind_),
-        tree_(before.tree_.refitted(boxes_of_faces(), whole(), true)) {}
+      : vertices_(std::move(vertices)), faces_(before.faces_), kind_(before.kind_), tree_(before.tree_) {
+    if (tree_.unbounded().empty()) tree_.fit(vertices_, *faces_);
+    if (!tree_.unbounded().empty() || tree_.is_outgrown() || !tree_.is_moderate()) tree_ = new_tree(OneByOne());
+    set_box();
+  }
 
   const std::vector<Vec<N, T>>& vertices() const { return vertices_; }
-  const Faces& faces() const { return faces_; }
+  const Faces& faces() const { return *faces_; }
   MeshKind kind() const { return kind_; }
-  const PartTree<N, T>& tree() const { return tree_; }
+  const Tree& tree() const { return tree_; }
   /// The box around all faces; unused vertices do not count.
-  const Aabb<N, T>& box() const { return tree_.bounds(); }
+  const Aabb<N, T>& box() const { return box_; }
 
   Triangle<N, T> triangle(std::size_t face) const {
-    const std::array<std::uint32_t, 3>& corners = faces_[face];
+    const std::array<std::uint32_t, 3>& corners = faces()[face];
     return {vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]]};
   }
 
   /// Calculated by the first call, because only the winding numbers of meshes with holes need them.
   const std::vector<OpenEdge>& open_edges() const {
-    std::call_once(open_edges_once_, [this] { open_edges_ = open_edges_of(faces_); });
+    std::call_once(open_edges_once_, [this] { open_edges_ = open_edges_of(faces()); });
     return open_edges_;
   }
 
   /// One vertex of each component; likewise.
   const std::vector<std::uint32_t>& vertices_of_components() const {
     std::call_once(components_once_,
-                   [this] { components_ = detail::vertices_of_components(faces_, vertices_.size()); });
+                   [this] { components_ = detail::vertices_of_components(faces(), vertices_.size()); });
     return components_;
   }
 
  private:
-  Aabb<N, T> box_of_face(std::size_t face) const {
-    Aabb<N, T> box = Aabb<N, T>::nothing();
-    for (const std::uint32_t vertex : faces_[face]) box.grow(vertices_[vertex]);
-    return box;
+  template <class Executor>
+  Tree new_tree(const Executor& executor) const {
+    std::vector<Aabb<N, T>> boxes(faces().size());
+    for_pieces(executor, boxes.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t face = first; face < last; ++face) boxes[face] = grown_box_of(triangle(face));
+    });
+    return Tree(executor, std::span<const Aabb<N, T>>(boxes), vertices_, faces());
   }
-  std::vector<Aabb<N, T>> boxes_of_faces() const {
-    std::vector<Aabb<N, T>> boxes(faces_.size());
-    for (std::size_t face = 0; face < boxes.size(); ++face) {
-      boxes[face] = box_of_face(face);
-      grow_for_touching(boxes[face]);
+
+  void set_box() {
+    for (std::size_t face = 0; face < faces().size(); ++face) {
+      for (const Vec<N, T>& corner : triangle(face).vertices()) box_.grow(corner);
     }
-    return boxes;
-  }
-  Aabb<N, T> whole() const {
-    Aabb<N, T> box = Aabb<N, T>::nothing();
-    for (std::size_t face = 0; face < faces_.size(); ++face) box.grow(box_of_face(face));
-    return box;
   }
 
   std::vector<Vec<N, T>> vertices_;
-  Faces faces_;
+  std::shared_ptr<const Faces> faces_;
   MeshKind kind_;
-  PartTree<N, T> tree_;
+  Tree tree_;
+  Aabb<N, T> box_ = Aabb<N, T>::nothing();
   mutable std::once_flag open_edges_once_;
   mutable std::vector<OpenEdge> open_edges_;
   mutable std::once_flag components_once_;
@@ -117,6 +155,10 @@ class PlacedMesh {
 
   PlacedMesh(std::shared_ptr<const MeshData<N, T>> data, const Pose<N, T>& pose)
       : data_(std::move(data)), pose_(pose), is_moved_(true), largest_(max_abs(wide<N, T>(pose.position))) {
+#ifdef GRAZE_HAS_LANES
+    // NOLINTNEXTLINE(cppcoreguidelines-prefer-member-initializer): not in every build
+    lane_place_ = lane_place<N, T>(pose.rotation, pose.position, data_->tree().around());
+#endif
     for (Dim i = 0; i < N; ++i) {
       box_.min[i] = -extreme(i, -1);
       box_.max[i] = extreme(i, 1);
@@ -131,10 +173,9 @@ class PlacedMesh {
 
   Vec<N, T> vertex(std::size_t index) const { return moved(data_->vertices()[index]); }
 
-  Triangle<N, T> triangle(std::size_t face) const {
-    const Triangle<N, T> triangle = data_->triangle(face);
-    return {moved(triangle.a), moved(triangle.b), moved(triangle.c)};
-  }
+  Triangle<N, T> triangle(std::size_t face) const { return moved(data_->triangle(face)); }
+  /// The same by the place of a face in the tree, which is faster for faces that the tree visits.
+  Triangle<N, T> triangle_in_tree(std::size_t place) const { return moved(data_->tree().leaves().triangle(place)); }
 
   /// At this place; calculated by the first call.
   std::span<const Vec<N, T>> vertices() const {
@@ -167,23 +208,82 @@ class PlacedMesh {
     return result;
   }
 
+  /// The same for sixteen boxes, which may be slightly larger: `block` itself, or those in `placed`.
+  const BoxBlock<N, T>& at_place(const BoxBlock<N, T>& block, BoxBlock<N, T>& placed) const {
+    if (!is_moved_) return block;
+#ifdef GRAZE_HAS_LANES
+    place_lanes(block, lane_place_, placed);
+#else
+    for (std::size_t lane = 0; lane < row_length; ++lane) placed.set(lane, at_place(block.box(lane)));
+#endif
+    return placed;
+  }
+
+#ifdef GRAZE_HAS_LANES
+  /// Sixteen faces at this place, each up to error_of_lanes() away: `block` itself, or those in `placed`.
+  const TriangleBlock<N, T>& at_place(const TriangleBlock<N, T>& block, TriangleBlock<N, T>& placed) const {
+    if (!is_moved_) return block;
+    place_triangles(block, lane_place_, placed);
+    return placed;
+  }
+#endif
+  double error_of_lanes() const {
+#ifdef GRAZE_HAS_LANES
+    if (is_moved_) return static_cast<double>(lane_place_.slack);
+#endif
+    return 0;
+  }
+
  private:
   Vec<N, T> moved(const Vec<N, T>& vertex) const { return is_moved_ ? transformed<N, T>(vertex, pose_) : vertex; }
+  Triangle<N, T> moved(const Triangle<N, T>& face) const {
+    return is_moved_ ? Triangle<N, T>{moved(face.a), moved(face.b), moved(face.c)} : face;
+  }
+
+  /// For the tree: boxes and faces that may reach beyond a coordinate, times `sign`; the farthest first.
+  struct MayReach {
+    double key(const Aabb<N, T>& box) const {
+      const Aabb<N, T> placed = faces.at_place(box);
+      return -static_cast<double>(std::max(sign * placed.min[axis], sign * placed.max[axis]));
+    }
+    bool admits(double key) const { return !(-key <= static_cast<double>(best)); }
+    bool operator()(const Aabb<N, T>& box) const { return admits(key(box)); }
+#ifdef GRAZE_HAS_LANES
+    LaneMask lanes(const BoxBlock<N, T>& block, Row<T>& keys) const { return lanes_beyond(block, along, best, keys); }
+    LaneMask lanes(const TriangleBlock<N, T>& block, Row<T>& keys) const {
+      return lanes_beyond(block, along, best, keys);
+    }
+
+    LaneDirection<N, T> along;
+#endif
+    const PlacedMesh& faces;
+    Dim axis;
+    T sign;
+    const T& best;
+  };
+
+  MayReach may_reach(Dim axis, T sign, const T& best) const {
+#ifdef GRAZE_HAS_LANES
+    Vec<N, T> direction;
+    for (Dim j = 0; j < N; ++j) direction[j] = sign * pose_.rotation[j][axis];
+    const T offset = sign * pose_.position[axis] + lane_place_.slack;
+    return {lane_direction(direction, offset), *this, axis, sign, best};
+#else
+    return {*this, axis, sign, best};
+#endif
+  }
 
   /// The greatest coordinate of a used vertex, times `sign`; -infinity without faces.
   T extreme(Dim axis, T sign) const {
     T best = -std::numeric_limits<T>::infinity();
-    const auto visit = [&](std::uint32_t face) {
-      for (const Vec<N, T>& corner : triangle(face).vertices()) best = std::max(best, sign * corner[axis]);
+    const auto visit = [&](const Triangle<N, T>& face) {
+      for (const Vec<N, T>& corner : face.vertices()) best = std::max(best, sign * corner[axis]);
+    };
+    for (const std::uint32_t face : data_->tree().unbounded()) visit(triangle(face));
+    data_->tree().visit(may_reach(axis, sign, best), ByKey(), [&](std::uint32_t /*face*/, std::size_t place) {
+      visit(triangle_in_tree(place));
       return true;
-    };
-    for (const std::uint32_t face : data_->tree().unbounded()) visit(face);
-    const auto most = [&](const Aabb<N, T>& box) {
-      const Aabb<N, T> placed = at_place(box);
-      return std::max(sign * placed.min[axis], sign * placed.max[axis]);
-    };
-    data_->tree().visit([&](const Aabb<N, T>& box) { return most(box) > best; },
-                        [&](const Aabb<N, T>& box) { return -static_cast<double>(most(box)); }, visit);
+    });
     return best;
   }
 
@@ -191,28 +291,37 @@ class PlacedMesh {
   Pose<N, T> pose_{};
   bool is_moved_ = false;
   double largest_ = 0;  ///< Coordinate of the pose's position.
+#ifdef GRAZE_HAS_LANES
+  LanePlace<N, T> lane_place_;
+#endif
   Aabb<N, T> box_;
   mutable std::once_flag vertices_once_;
   mutable std::vector<Vec<N, T>> vertices_;
+};
+
+/// For the tree of a mesh: boxes and blocks at its place.
+template <Dim N, class T>
+struct BoxesAtPlace {
+  Aabb<N, T> operator()(const Aabb<N, T>& box) const { return faces.at_place(box); }
+  const BoxBlock<N, T>& operator()(const BoxBlock<N, T>& block, BoxBlock<N, T>& placed) const {
+    return faces.at_place(block, placed);
+  }
+
+  const PlacedMesh<N, T>& faces;
 };
 
 /// Calls visit(face of a, face of b) until it returns false, for all pairs of faces whose grown boxes overlap. Returns
 /// whether all were visited.
 template <Dim N, class T, class Visit>
 bool visit_near_faces(const PlacedMesh<N, T>& a, const PlacedMesh<N, T>& b, const Visit& visit) {
-  const auto may_touch = [&](const Aabb<N, T>& box_a, const Aabb<N, T>& box_b) {
-    return boxes_overlap(a.at_place(box_a), b.at_place(box_b));
-  };
-  return a.data()->tree().visit_pairs(b.data()->tree(), may_touch, visit);
+  return a.data()->tree().visit_pairs(b.data()->tree(), BoxesAtPlace<N, T>{a}, BoxesAtPlace<N, T>{b}, visit);
 }
 
-/// The same for pairs of two different faces of one mesh, each once and in any order.
+/// The same for pairs of two different faces of one mesh, each once and in any order; moved, because rounding may have
+/// closed a gap.
 template <Dim N, class T, class Visit>
 bool visit_near_faces(const PlacedMesh<N, T>& mesh, const Visit& visit) {
-  const auto may_touch = [&mesh](const Aabb<N, T>& a, const Aabb<N, T>& b) {
-    return boxes_overlap(mesh.at_place(a), mesh.at_place(b));  // where rounding may have closed a gap
-  };
-  return mesh.data()->tree().visit_own_pairs(may_touch, visit);
+  return mesh.data()->tree().visit_own_pairs(BoxesAtPlace<N, T>{mesh}, visit);
 }
 
 }  // namespace detail

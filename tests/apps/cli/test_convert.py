@@ -56,6 +56,43 @@ class Convert(CommandLineTest):
         self.assert_no_litter("yard.json")
         self.succeed("convert", scene, self.folder / "OUT.JSON")
 
+    TETRAHEDRON = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
+
+    def test_meshes_go_from_format_to_format_and_back(self):
+        last = self.write("a.off", self.TETRAHEDRON)
+        for ending in ("glb", "obj", "ply", "stl", "json", "OFF"):
+            following = self.folder / f"b.{ending}"
+            self.succeed("convert", last, following)
+            mesh = json.loads(self.succeed("info", "--format", "json", following)[0])["meshes"][0]
+            self.assertEqual((mesh["vertices"], mesh["faces"], mesh["closed"]), (4, 4, True), ending)
+            last = following
+
+    def test_meshes_are_scaled_and_turned(self):
+        mesh, turned = self.write("a.off", self.TETRAHEDRON), self.folder / "b.obj"
+        self.succeed("convert", "--scale", "0.5", "--turn", "y-to-z", mesh, turned)
+        self.assertIn("v 0.5 0 0\nv 0 0 0.5\nv 0 -0.5 0\n", turned.read_text().replace("-0 ", "0 "))
+        self.refused("convert", "--scale", "0", mesh, turned, code=2, says="--scale 0 is not a factor")
+        self.refused("convert", "--turn", "x-to-z", mesh, turned, code=2, says="y-to-z")
+        self.refused("convert", "--scale", "1e308", "--turn", "y-to-z", self.write("c.off", "OFF\n1 0 0\n9 9 9\n"), turned,
+                     says="makes a coordinate larger than about 1.8e308")
+        self.refused("convert", "--scale", "2", self.yard(), turned, says="this is")
+
+    def test_closed_meshes_become_solids(self):
+        mesh = self.write("a.off", self.TETRAHEDRON)
+        text, said = self.succeed("convert", "--solid", mesh, "-")
+        self.assertEqual((json.loads(text)["objects"][0]["kind"], said), ("solid", ""))
+        self.assertEqual(json.loads(self.succeed("convert", mesh, "-")[0])["objects"][0]["kind"], "surface")
+        _, said = self.succeed("convert", "--solid", self.write("b.off", self.TETRAHEDRON.replace("4 4 6", "4 3 6")), "-")
+        self.assertIn("the mesh number 0 is not closed, so it stays a surface", said)
+
+    def test_mesh_formats_hold_only_meshes(self):
+        self.refused("convert", self.yard(), self.folder / "a.glb", says="is a 2D scene, and mesh files are 3D")
+        scene = {"schema": "graze.scene/1", "dimension": 3, "objects": [
+            {"name": "ball", "type": "sphere", "center": [0, 0, 0], "radius": 1}]}
+        self.refused("convert", self.write("b.json", scene), self.folder / "b.stl",
+                     says="the object \"ball\" is a sphere, and mesh files hold only meshes; write it as .json")
+        self.assert_no_litter("b.json", "yard.json")
+
     def test_an_existing_file_survives_input_that_is_refused(self):
         kept = self.write("kept.json", "precious")
         self.refused("convert", self.write("broken.json", '{"schema": '), kept, says="broken.json")

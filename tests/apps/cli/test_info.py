@@ -32,6 +32,7 @@ class Info(CommandLineTest):
                     {"from": 16, "to": 32, "objects": 1},
                 ],
             },
+            "meshes": [],
             "not_read": [],
         })
 

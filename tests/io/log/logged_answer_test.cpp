@@ -28,7 +28,7 @@ TEST(LoggedAnswer, IsALineOfJson) {
 }
 
 TEST(LoggedAnswer, TellsWhereARayHitsAndWhereShapesTouch) {
-  const std::vector<ObjectHit<2, double>> hits{{a, {0.5, {1, 2}, {-1, 0}}}};
+  const std::vector<ObjectHit<2, double>> hits{{a, {{0.5, {1, 2}, {-1, 0}}}}};
   EXPECT_EQ(answer_line(logged(hits)), R"({"answer": [[[0, 1], 0.5, 1, 2, -1, 0]]})");
   EXPECT_EQ(answer_line(logged(std::optional<ObjectHit<2, double>>(hits.front()))), answer_line(logged(hits)));
   ObjectContact<2, double> contact{{a, b}, {}};

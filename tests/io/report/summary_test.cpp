@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -111,6 +113,26 @@ TEST(Summary, takes_sizes_up_to_the_largest_double) {
   EXPECT_EQ(summary.sizes->bins.front().objects, 1U);
   EXPECT_EQ(summary.sizes->bins.back().objects, 1U);
   EXPECT_EQ(summary.sizes->bins.back().to, largest);
+}
+
+TEST(Summary, examines_meshes_with_equal_vertices_joined) {
+  const std::vector<Vec<3, double>> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0},
+                                               {1, 1, 0}, {0, 1, 0}, {9, 9, 9}};
+  const std::vector<std::array<std::uint32_t, 3>> faces = {{0, 1, 2}, {3, 4, 5}};
+  const Mesh<3, double> square = mesh_of<3, double>(corners, faces);
+  Scene<3, double> scene;
+  scene.add(square, {"here"});
+  scene.add(transformed(square, {Mat<3, double>(1.0), {5, 0, 0}}), {"there"});
+  scene.add(Sphere<3, double>{{0, 0, 0}, 1}, {"no mesh"});
+  const SceneSummary summary = summarise(file_of(std::move(scene)));
+  ASSERT_EQ(summary.meshes.size(), 2U);
+  EXPECT_EQ(summary.meshes[1].name, "there");
+  for (const MeshCount& mesh : summary.meshes) {
+    EXPECT_EQ(mesh.vertices, 7U);
+    EXPECT_EQ(mesh.faces, 2U);
+    EXPECT_EQ(mesh.duplicate_vertices, 2U);
+    EXPECT_EQ(mesh.report, (MeshReport{.open_edges = 4, .unused_vertices = 1, .components = 1, .is_closed = false}));
+  }
 }
 
 RC_GTEST_PROP(Summary, has_every_size_in_the_bin_it_belongs_to, (const std::vector<double>& numbers)) {

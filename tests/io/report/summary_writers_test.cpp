@@ -88,8 +88,41 @@ TEST(SummaryJson, says_everything) {
     "bounds": {"min": [-4.0, -1.5], "max": [4.0, 10.0]}, "unbounded": 1, "empty": 0,
     "sizes": {"min": 0.0, "median": 3.0, "p90": 6.0, "max": 6.0,
               "bins": [{"from": 0.0, "to": 0.0, "objects": 1}, {"from": 2.0, "to": 4.0, "objects": 2}]},
+    "meshes": [],
     "not_read": [{"what": "tile layer", "count": 3, "loss": "none", "where": "", "why": ""}]
   })"));
+}
+
+/// A closed mesh, and one with faults.
+SceneSummary with_meshes() {
+  SceneSummary summary = yard();
+  summary.meshes = {{"a", MeshKind::solid, 24, 12, 16, {.components = 1}},
+                    {"b", MeshKind::surface, 3, 1, 0, {.open_edges = 3, .non_manifold_edges = 2, .is_closed = false}}};
+  return summary;
+}
+
+TEST(SummaryTable, sums_up_the_meshes) {
+  EXPECT_NE(table(with_meshes())
+                .find("\nmeshes\n"
+                      "  vertices            27\n"
+                      "  faces               13\n"
+                      "  closed              1 of 2\n"
+                      "  solids              1 of 2\n"
+                      "  duplicate vertices  16\n"
+                      "  open edges          3\n"
+                      "  non-manifold edges  2\n"
+                      "  components          1\n"),
+            std::string::npos)
+      << table(with_meshes());
+}
+
+TEST(SummaryJson, lists_the_meshes) {
+  std::ostringstream out;
+  write_summary_json(out, with_meshes());
+  EXPECT_EQ(nlohmann::json::parse(out.str())["meshes"][1], nlohmann::json::parse(R"({
+    "name": "b", "kind": "surface", "closed": false, "vertices": 3, "faces": 1, "duplicate_vertices": 0,
+    "unused_vertices": 0, "open_edges": 3, "non_manifold_edges": 2, "flipped_edges": 0, "degenerate_faces": 0,
+    "duplicate_faces": 0, "components": 0})"));
 }
 
 TEST(SummaryJson, has_null_where_there_is_nothing_bounded) {

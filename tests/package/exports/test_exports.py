@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""A shared library would export what programs need, and hide the rest: the program's and the examples' objects use no
-function of the library without GRAZE_EXPORT. The tests' library is static, but its objects state which symbols are hidden."""
+"""A shared library would export what programs need, and hide the rest: the objects of the program, the bindings and the
+examples use no function of the library without GRAZE_EXPORT. The tests' library is static, but its objects state which
+symbols are hidden."""
 
 import os
 import re
@@ -24,7 +25,8 @@ class Exports(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.of_library = {name: visibility for name, visibility, is_defined in symbols_of(LIBRARY) if is_defined}
-        objects = [path for folder in ("apps", "examples") for path in (BUILD / folder).rglob("*.o")]
+        objects = [path for folder in ("apps", "bindings", "examples") for path in (BUILD / folder).rglob("*.o")
+                   if "tests" not in path.parts]
         cls.used = {name for name, _, is_defined in symbols_of(*objects) if not is_defined} & cls.of_library.keys()
 
     def test_programs_need_nothing_hidden(self):

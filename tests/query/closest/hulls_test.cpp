@@ -18,6 +18,7 @@
 #include <graze/query/transformed.hpp>
 #include <graze/shape/any_shape.hpp>
 
+#include "query/every_pair.hpp"
 #include "query/flush_prisms.hpp"
 
 namespace graze::detail::closest_hulls_test {
@@ -111,7 +112,7 @@ Tally compare_random_hulls(double reach, bool with_cache) {
   Tally tally;
   SimplexCache<3> kept;  // of a different pair each time
   SimplexCache<3>* const cache = with_cache ? &kept : nullptr;
-  for (int i = 0; i < 2000 && !testing::Test::HasFailure(); ++i) {
+  for (std::size_t i = test::number_of_cases(2000); i > 0 && !testing::Test::HasFailure(); --i) {
     const Polytope<3, T> a = random.hull<T>();
     const Polytope<3, T> b = random.hull<T>();
     const Posed<Polytope<3, T>> posed_a{a, random.pose<T>(reach)};

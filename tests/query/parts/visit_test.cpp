@@ -215,7 +215,7 @@ TEST(RestOfPath, InsideABoxItAcceptsTheSameBoxes) {
     const Vec<3, double> direction = point(-2, 2);
     if (max_abs(direction) == 0) continue;
     detail::RestOfPath<3> rest(detail::Path<3>{point(-2, 14), direction, static_cast<double>(number(0, 20)) / 2});
-    const auto inside = rest.inside(around);
+    const auto inside = rest.inside(around, 0);
     const Vec<3, double> corner = point(0, 6);
     const Box box{corner, corner + point(0, 6)};
     const Box grown{box.min - 1e-9, box.max + 1e-9};

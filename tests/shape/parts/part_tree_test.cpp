@@ -84,7 +84,7 @@ class PartTreeIn : public ::testing::Test {
           if (is_finite(boxes[i].min) && is_finite(boxes[i].max) && matters(boxes[i])) expected.push_back(i);
         }
         std::vector<std::uint32_t> found;
-        const auto visit = [&found](std::uint32_t part) {
+        const auto visit = [&found](std::uint32_t part, std::size_t /*place*/) {
           found.push_back(part);
           return true;
         };
@@ -116,7 +116,6 @@ class PartTreeIn : public ::testing::Test {
     EXPECT_EQ(std::vector<std::uint32_t>(tree.unbounded().begin(), tree.unbounded().end()), expected);
     EXPECT_EQ(tree.bounds(), Box::everything());
     EXPECT_TRUE(tree.has_usual_lengths());
-    EXPECT_TRUE(tree.has_usual_lengths());
   }
 
   static void expect_stop() {
@@ -124,7 +123,7 @@ class PartTreeIn : public ::testing::Test {
     const Tree tree(draw_boxes(300, random), Box::nothing(), true);
     int visits = 0;
     tree.visit([](const Box&) { return true; }, detail::InAnyOrder(),
-               [&visits](std::uint32_t) { return ++visits < 5; });
+               [&visits](std::uint32_t, std::size_t) { return ++visits < 5; });
     EXPECT_EQ(visits, 5);
   }
 
@@ -153,7 +152,7 @@ class PartTreeIn : public ::testing::Test {
             return distance(box) < least;
           },
           distance,
-          [&](std::uint32_t part) {
+          [&](std::uint32_t part, std::size_t /*place*/) {
             least = distance(boxes[part]);
             return true;
           });
@@ -162,7 +161,7 @@ class PartTreeIn : public ::testing::Test {
       EXPECT_EQ(least, expected);
       EXPECT_LT(tests, 400);
       NearestByKey by_key{point};
-      tree.visit(by_key, detail::ByKey(), [&](std::uint32_t part) {
+      tree.visit(by_key, detail::ByKey(), [&](std::uint32_t part, std::size_t /*place*/) {
         by_key.least = distance(boxes[part]);
         return true;
       });

@@ -5,7 +5,7 @@ import type { Shape } from "graze";
 import type { Chapter, ChapterContext, OpenChapter } from "../chapter";
 import { element } from "../dom";
 import { messageOf } from "../engine";
-import { editByKey, Grasp, handlesOf, type HeldShape } from "../held_shape";
+import { editByKey, Grasp, handlesOf, heldShape, type Held } from "../held_shape";
 import { count as countText, counted, milliseconds } from "../numbers";
 import type { Mark } from "../overlay";
 import { button, Figures, row, section, title, toggle } from "../panel";
@@ -133,14 +133,14 @@ class SceneView implements OpenChapter {
   }
 
   /** The only selected object; undefined if it is unbounded, because those cannot be edited. */
-  #held(): HeldShape | undefined {
+  #held(): Held | undefined {
     const [place, more] = this.#selected;
     const model = this.#model;
     if (model === undefined || place === undefined || more !== undefined) return undefined;
     const { shape, box } = model.scene.object(model.id(place));
     const middle = between(box.min, box.max);
     if (!middle.every(Number.isFinite)) return undefined;
-    return { name: model.objects[place]?.name ?? "", shape, middle, edit: (edited) => this.#edit(place, edited) };
+    return heldShape(model.objects[place]?.name ?? "", shape, middle, (edited) => this.#edit(place, edited));
   }
 
   /** Changes the shape of an object; if the engine refuses the shape, the old one stays. */

@@ -29,9 +29,14 @@ export const examples: Readonly<Record<string, SceneSource>> = {
 
 const scenes = /\.(json|csv|tmx|tmj|xml|aabbs)$/i;
 
+/** Whether a file is a scene, by its name. */
+export function isSceneFile(file: File): boolean {
+  return scenes.test(file.name);
+}
+
 /** The scene among files that were dropped together; a Tiled map may refer to the others. */
 export async function sourceOf(files: readonly File[]): Promise<SceneSource> {
-  const scene = files.find((file) => scenes.test(file.name)) ?? files[0];
+  const scene = files.find(isSceneFile) ?? files[0];
   if (scene === undefined) throw new Error("no file was given");
   const others = files.filter((file) => file !== scene);
   const texts = new Map<string, string>();

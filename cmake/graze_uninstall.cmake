@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+# Removes what the last `cmake --install` of a build folder has installed, and folders of graze that are then empty.
+# usage: cmake -DMANIFEST=build/install_manifest.txt -P cmake/graze_uninstall.cmake
+if(NOT EXISTS "${MANIFEST}")
+  message(FATAL_ERROR "there is no ${MANIFEST}: nothing was installed from this build folder")
+endif()
+file(STRINGS "${MANIFEST}" installed)
+foreach(path IN LISTS installed)
+  if(EXISTS "$ENV{DESTDIR}${path}" OR IS_SYMLINK "$ENV{DESTDIR}${path}")
+    message(STATUS "removing $ENV{DESTDIR}${path}")
+    file(REMOVE "$ENV{DESTDIR}${path}")
+  endif()
+  cmake_path(GET path PARENT_PATH folder)
+  while(folder MATCHES "/graze(/|$)" AND IS_DIRECTORY "$ENV{DESTDIR}${folder}")
+    file(GLOB rest LIST_DIRECTORIES TRUE "$ENV{DESTDIR}${folder}/*" "$ENV{DESTDIR}${folder}/.*")
+    if(rest)
+      break()
+    endif()
+    file(REMOVE_RECURSE "$ENV{DESTDIR}${folder}")
+    cmake_path(GET folder PARENT_PATH folder)
+  endwhile()
+endforeach()
+file(REMOVE "${MANIFEST}")
