@@ -34,11 +34,9 @@
 
 #include "catalogue/numbers.hpp"
 #include "catalogue/to_source.hpp"
+#include "spaces.hpp"
 
 namespace graze::test {
-
-/// The four spaces, for TYPED_TEST_SUITE: a test body reads TypeParam::dimension and TypeParam::scalar.
-using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
 
 /// The catalogue's entry for a type: its name and `draw(source)`, which returns a random valid value. Types that cannot
 /// be initialised by the fields of their description in braces have `source(value)`, the expression that creates them.

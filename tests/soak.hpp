@@ -4,18 +4,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
+
+#include "number_of_cases.hpp"
 
 namespace graze::test {
 
-/// A number times GRAZE_TEST_SCALE, which is a tenth for sanitizers.
-inline double scaled_by_test(double number) {
-  const char* const scale = std::getenv("GRAZE_TEST_SCALE");
-  return number * (scale != nullptr ? std::strtod(scale, nullptr) : 1.0);
-}
-
 /// 20,000, multiplied by GRAZE_TEST_SCALE: 50 for a million. Never so few that a set stays small.
-inline std::size_t soak_operations() { return static_cast<std::size_t>(std::max(scaled_by_test(20'000), 8'000.0)); }
+inline std::size_t soak_operations() { return number_of_cases(20'000, 8'000); }
 
 /// The number of operations in which a set is filled and emptied once: at least four cycles, more in longer runs.
 constexpr std::size_t soak_cycle(std::size_t operations) { return std::min<std::size_t>(operations / 4, 10'000); }

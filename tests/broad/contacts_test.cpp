@@ -34,8 +34,8 @@ struct Cases {
   static Cases of(test::CaseKind kind) {
     Cases cases;
     test::for_each_case<N, T>(
-        kind, std::max<std::size_t>(4, test::number_of_cases(4)),
-        [&cases](const auto& pair) { cases.add(pair.first, pair.second); }, [] { return true; });
+        kind, test::number_of_cases(4, 4), [&cases](const auto& pair) { cases.add(pair.first, pair.second); },
+        [] { return true; });
     cases.choose_candidates();
     return cases;
   }

@@ -16,6 +16,7 @@
 
 #include <graze/broad/pairs.hpp>
 
+#include "number_of_cases.hpp"
 #include "simd_targets.hpp"
 #include "thread_executor.hpp"
 
@@ -51,10 +52,7 @@ std::vector<Aabb<2, T>> boxes_of(const std::filesystem::path& path) {
   return boxes;
 }
 
-bool is_whole_chip_tried() {
-  const char* const scale = std::getenv("GRAZE_TEST_SCALE");
-  return scale == nullptr || std::strtod(scale, nullptr) >= 1;
-}
+bool is_whole_chip_tried() { return test::number_from_environment("GRAZE_TEST_SCALE", 1) >= 1; }
 
 template <class T>
 class Chip {

@@ -17,6 +17,8 @@
 #include <graze/broad/pairs.hpp>
 #include <graze/broad/scene_generators.hpp>
 
+#include "spaces.hpp"
+
 namespace graze::worlds_test {
 namespace {
 
@@ -25,13 +27,7 @@ constexpr std::size_t thousands = 5000;
 template <class Space>
 class WorldsTest : public testing::Test {};
 
-template <Dim N, class T>
-struct In {
-  static constexpr Dim dimension = N;
-  using scalar = T;
-};
-using Spaces = testing::Types<In<2, float>, In<3, float>, In<2, double>, In<3, double>>;
-TYPED_TEST_SUITE(WorldsTest, Spaces);
+TYPED_TEST_SUITE(WorldsTest, test::Spaces);
 
 /// The extents of a box along each axis, in double.
 template <Dim N, class T>

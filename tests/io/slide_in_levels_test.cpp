@@ -18,8 +18,8 @@
 #include <graze/scene/scene.hpp>
 
 #include "io/scene_text.hpp"
+#include "number_of_cases.hpp"
 #include "scene/slide_walks.hpp"
-#include "soak.hpp"
 
 namespace graze::io::slide_in_levels_test {
 namespace {
@@ -95,11 +95,7 @@ class Walkers {
 void expect_walks_in(const fs::path& path) {
   SCOPED_TRACE(path.filename().string());
   const SceneFile file = read_scene(path);
-  std::visit(
-      [](const auto& scene) {
-        Walkers(scene).expect_no_overlap(static_cast<std::size_t>(test::scaled_by_test(100'000)));
-      },
-      file.scene);
+  std::visit([](const auto& scene) { Walkers(scene).expect_no_overlap(test::number_of_cases(100'000)); }, file.scene);
 }
 
 TEST(SlideInLevels, OfTheProjectOverlapsNothing) {

@@ -78,8 +78,7 @@ class Agreement : public ::testing::Test {
     using T = typename SpaceType::scalar;
     Tally tally;
     for_each_case<N, T>(
-        kind, std::max<std::size_t>(4, number_of_cases(20)),
-        [&tally](const AnyPair<N, T>& pair) { check<N, T>(pair, tally); },
+        kind, number_of_cases(20, 4), [&tally](const AnyPair<N, T>& pair) { check<N, T>(pair, tally); },
         [&tally] { return tally.failures < most_failures; });
     std::cout << "seed " << seed_of_cases() << ": " << tally.cases << " cases, " << 100 * tally.hits / tally.cases
               << " % hits, " << tally.other_verdicts << " called touching within the band, at most " << tally.worst
@@ -90,8 +89,7 @@ class Agreement : public ::testing::Test {
   }
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(Agreement, Spaces);
+TYPED_TEST_SUITE(Agreement, test::Spaces);
 
 TYPED_TEST(Agreement, OnUniformNumbers) { TestFixture::run(CaseKind::uniform); }
 TYPED_TEST(Agreement, OnSmallWholeNumbers) { TestFixture::run(CaseKind::grid); }

@@ -89,14 +89,13 @@ Count check_pair(std::size_t a, std::size_t b, std::size_t turns, std::uint64_t 
 template <class SpaceType>
 class Certificate : public ::testing::Test {};
 
-using AllSpaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(Certificate, AllSpaces);
+TYPED_TEST_SUITE(Certificate, test::Spaces);
 
 TYPED_TEST(Certificate, NeverContradictsTheOracleAndLeavesLittleOpen) {
   constexpr Dim N = TypeParam::dimension;
   using T = typename TypeParam::scalar;
   // Fewer than nine would say little about how much is left open.
-  const std::size_t turns = std::max<std::size_t>(9, number_of_cases(14));
+  const std::size_t turns = number_of_cases(14, 9);
   const std::uint64_t seed = seed_of_cases();
   Count all;
   for (std::size_t a = 0; a < shape_type_names.size(); ++a) {

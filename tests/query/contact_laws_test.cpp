@@ -73,8 +73,7 @@ class ContactLaw : public ::testing::Test {
   }
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(ContactLaw, Spaces);
+TYPED_TEST_SUITE(ContactLaw, test::Spaces);
 
 TYPED_TEST(ContactLaw, ThereIsOneIfAndOnlyIfTheShapesIntersect) {
   check_property([] {

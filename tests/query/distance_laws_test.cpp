@@ -102,8 +102,7 @@ class DistanceLaw : public ::testing::Test {
   }
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(DistanceLaw, Spaces);
+TYPED_TEST_SUITE(DistanceLaw, test::Spaces);
 
 TYPED_TEST(DistanceLaw, SwappingTheShapesExchangesThePoints) {
   check_property([] {

@@ -3,31 +3,20 @@
 // multiplies their number (default 1), GRAZE_TEST_SEED selects others.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <variant>
 
 #include <graze/math/vec.hpp>
 #include <graze/shape/any_shape.hpp>
 
+#include "number_of_cases.hpp"
 #include "query/case_maker.hpp"
 
 namespace graze::test {
 
-inline double number_from_environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtod(text, nullptr) : otherwise;
-}
-
 inline std::uint64_t seed_of_cases() {
   return static_cast<std::uint64_t>(number_from_environment("GRAZE_TEST_SEED", 1));
-}
-
-/// `usual` times the scale, and at least one.
-inline std::size_t number_of_cases(double usual) {
-  return static_cast<std::size_t>(std::ceil(usual * number_from_environment("GRAZE_TEST_SCALE", 1)));
 }
 
 /// Calls check(pair) for the cases of `count` draws for each pair of types. Calls `goes_on()` before each draw.

@@ -232,8 +232,7 @@ class ContactIds : public ::testing::Test {
   }
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(ContactIds, Spaces);
+TYPED_TEST_SUITE(ContactIds, test::Spaces);
 
 TYPED_TEST(ContactIds, AreDistinctAndThere) {
   for (const auto& pair : TestFixture::resting()) {

@@ -55,8 +55,7 @@ class ManifoldLaw : public ::testing::Test {
   }
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(ManifoldLaw, Spaces);
+TYPED_TEST_SUITE(ManifoldLaw, test::Spaces);
 
 TYPED_TEST(ManifoldLaw, ItIsThatOfTheContact) {
   check_property([] {

@@ -75,8 +75,7 @@ class RayCastLaw : public ::testing::Test {
   }
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(RayCastLaw, Spaces);
+TYPED_TEST_SUITE(RayCastLaw, test::Spaces);
 
 TYPED_TEST(RayCastLaw, ARayHitsWhatItIntersects) {
   check_property([] {

@@ -62,8 +62,7 @@ class RelationLaw : public ::testing::Test {
   }
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(RelationLaw, Spaces);
+TYPED_TEST_SUITE(RelationLaw, test::Spaces);
 
 TYPED_TEST(RelationLaw, SwappingTheShapesChangesNothing) {
   check_property([] {

@@ -98,8 +98,7 @@ class RelationTable : public ::testing::Test {
   }
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(RelationTable, Spaces);
+TYPED_TEST_SUITE(RelationTable, test::Spaces);
 
 TYPED_TEST(RelationTable, SideBySideShapesAreApartTouchingOrOverlapping) {
   using Fixture = TestFixture;

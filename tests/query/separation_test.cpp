@@ -97,8 +97,7 @@ class SeparationLaw : public ::testing::Test {
   }
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(SeparationLaw, Spaces);
+TYPED_TEST_SUITE(SeparationLaw, test::Spaces);
 
 TYPED_TEST(SeparationLaw, ItIsTheDistanceOrMinusTheDepth) {
   check_property([] {

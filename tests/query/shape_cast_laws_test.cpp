@@ -86,8 +86,7 @@ class ShapeCastLaw : public ::testing::Test, public CastCases<SpaceType> {
   }
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(ShapeCastLaw, Spaces);
+TYPED_TEST_SUITE(ShapeCastLaw, test::Spaces);
 
 TYPED_TEST(ShapeCastLaw, ShapesThatMeetHaveTheirContactAndOthersNone) {
   check_property([] {

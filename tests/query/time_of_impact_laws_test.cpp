@@ -73,8 +73,7 @@ class TimeOfImpactLaw : public ::testing::Test {
   }
 };
 
-using MovingSpaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(TimeOfImpactLaw, MovingSpaces);
+TYPED_TEST_SUITE(TimeOfImpactLaw, test::Spaces);
 
 TYPED_TEST(TimeOfImpactLaw, AtTheImpactTheShapesTouchAndBeforeItTheyAreApart) {
   check_property([] {
@@ -89,7 +88,8 @@ TYPED_TEST(TimeOfImpactLaw, SwappedShapesMeetAtTheSameTime) {
     const auto drawn = TestFixture::draw_case();
     const auto one = cast_hit_of(drawn);
     auto swapped = drawn;
-    std::swap(swapped.a, swapped.b);
+    swapped.a = drawn.b;  // std::swap of two variants would be compiled for every two types
+    swapped.b = drawn.a;
     std::swap(swapped.motion_a, swapped.motion_b);
     const auto other = cast_hit_of(swapped);
     RC_ASSERT(one.has_value() == other.has_value());

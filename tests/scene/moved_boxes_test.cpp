@@ -15,6 +15,8 @@
 #include <graze/scene/plain_scene.hpp>
 #include <graze/scene/scene.hpp>
 
+#include "spaces.hpp"
+
 namespace graze::moved_boxes_test {
 namespace {
 
@@ -124,19 +126,12 @@ class TwoWorlds {
 template <class Space>
 class MovedBoxes : public testing::Test {};
 
-template <Dim n, class Number>
-struct Space {
-  static constexpr Dim N = n;
-  using T = Number;
-};
-
-using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
-TYPED_TEST_SUITE(MovedBoxes, Spaces);
+TYPED_TEST_SUITE(MovedBoxes, test::Spaces);
 
 /// Small steps, so that candidates remain valid for several frames; sometimes something invalidates them.
 TYPED_TEST(MovedBoxes, BeginStayAndEndAsInAWorldWithoutLists) {
-  using T = typename TypeParam::T;
-  TwoWorlds<TypeParam::N, T> worlds(7);
+  using T = typename TypeParam::scalar;
+  TwoWorlds<TypeParam::dimension, T> worlds(7);
   for (int frame = 0; frame < 120 && !this->HasFailure(); ++frame) {
     const unsigned chance = worlds.random() % 32;
     if (chance == 0) worlds.add(worlds.some_box());
@@ -153,8 +148,8 @@ TYPED_TEST(MovedBoxes, BeginStayAndEndAsInAWorldWithoutLists) {
 
 /// The same with a sphere among them, which is not a box until it is moved to one.
 TYPED_TEST(MovedBoxes, AreThoseOfAWorldThatHoldsMoreThanBoxes) {
-  constexpr Dim N = TypeParam::N;
-  using T = typename TypeParam::T;
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
   TwoWorlds<N, T> worlds(8);
   for (int frame = 0; frame < 40 && !this->HasFailure(); ++frame) {
     if (frame % 8 == 0) worlds.add(Sphere<N, T>{Vec<N, T>(T(3)), T(1)});

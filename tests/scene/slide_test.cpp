@@ -16,8 +16,8 @@
 #include <graze/scene/scene.hpp>
 #include <graze/scene/slide.hpp>
 
+#include "number_of_cases.hpp"
 #include "scene/slide_walks.hpp"
-#include "soak.hpp"
 
 namespace graze::slide_test {
 namespace {
@@ -245,7 +245,7 @@ class Room {
 template <Dim N, class T>
 void expect_a_walk_that_overlaps_nothing(const AnyShape<N, T>& start, std::uint32_t seed, const SlideOptions& options) {
   Room<N, T> room(seed);
-  const auto steps = static_cast<std::size_t>(test::scaled_by_test(17'000));
+  const auto steps = test::number_of_cases(17'000);
   const auto walk = test::expect_a_walk_without_overlap<N, T>(
       room.scene(), start, steps, options,
       [&room](std::size_t step) { return room.vector(step % 10 == 0 ? T(15) : T(1.5)); });

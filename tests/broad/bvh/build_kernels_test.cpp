@@ -17,15 +17,10 @@
 #include "broad/box_worlds.hpp"
 #include "broad/center_room.hpp"
 #include "broad/simd_targets.hpp"
+#include "spaces.hpp"
 
 namespace graze::detail::center_kernels_test {
 namespace {
-
-template <Dim N, class T>
-struct In {
-  static constexpr Dim dimension = N;
-  using scalar = T;
-};
 
 template <class Space>
 class CenterKernelsTest : public testing::Test {
@@ -42,8 +37,7 @@ class CenterKernelsTest : public testing::Test {
   }
 };
 
-using Spaces = testing::Types<In<2, float>, In<3, float>, In<2, double>, In<3, double>>;
-TYPED_TEST_SUITE(CenterKernelsTest, Spaces);
+TYPED_TEST_SUITE(CenterKernelsTest, test::Spaces);
 
 TYPED_TEST(CenterKernelsTest, FiniteCountsBoxesUpToTheFirstThatIsNot) {
   constexpr Dim N = TypeParam::dimension;

@@ -17,6 +17,7 @@
 #include "broad/box_worlds.hpp"
 #include "broad/bvh_checks.hpp"
 #include "broad/thread_executor.hpp"
+#include "number_of_cases.hpp"
 
 namespace graze::detail::bvh_build_test {
 namespace {
@@ -169,7 +170,7 @@ class BuiltTree {
 };
 
 TEST(BvhBuild, PartsAsSortingDoes) {
-  for (const std::size_t count : {300U, 6000U}) {
+  for (const std::size_t count : {std::size_t{300}, test::number_of_cases(6000, 1200)}) {
     for (const auto& world : test::box_worlds<3, float>(count, 7)) {
       SCOPED_TRACE(world.name);
       std::vector<std::uint32_t> slots;

@@ -22,15 +22,10 @@
 
 #include "broad/box_worlds.hpp"
 #include "broad/simd_targets.hpp"
+#include "spaces.hpp"
 
 namespace graze::detail::bvh_kernels_test {
 namespace {
-
-template <Dim N, class T>
-struct In {
-  static constexpr Dim dimension = N;
-  using scalar = T;
-};
 
 template <class Space>
 class BvhKernelsTest : public testing::Test {
@@ -81,8 +76,7 @@ class BvhKernelsTest : public testing::Test {
   std::vector<Box> probes_;
 };
 
-using Spaces = testing::Types<In<2, float>, In<3, float>, In<2, double>, In<3, double>>;
-TYPED_TEST_SUITE(BvhKernelsTest, Spaces);
+TYPED_TEST_SUITE(BvhKernelsTest, test::Spaces);
 
 TYPED_TEST(BvhKernelsTest, MetAreTheBoxesThatShareAPoint) {
   std::size_t all = 0;

@@ -20,6 +20,7 @@
 #include "broad/box_worlds.hpp"
 #include "broad/bvh_checks.hpp"
 #include "broad/simd_targets.hpp"
+#include "number_of_cases.hpp"
 
 namespace graze::detail::bvh_query_test {
 namespace {
@@ -210,7 +211,7 @@ void expect_distances_as_box_by_box(double size, std::uint64_t seed) {
     const Vec<3, T> low = numbers.point<3, T>(-size, size);
     tree.insert(k, {low, low});
   }
-  for (int round = 0; round < 100; ++round) {
+  for (std::size_t round = 0; round < test::number_of_cases(100); ++round) {
     const Vec<3, T> point = round % 4 == 0 ? tree.box(9).min : numbers.point<3, T>(-2 * size, 2 * size);
     if (!is_finite(point)) continue;
     for (const std::size_t k : {1U, 3U, 8U, 9U, 40U, 300U}) {
@@ -254,7 +255,7 @@ void expect_lowest_slots_of_equally_near(int size, T reach) {
     if (slot % 200 == 13) box.max[0] = std::numeric_limits<T>::infinity();
     tree.insert(slot, box);
   }
-  for (int round = 0; round < 60; ++round) {
+  for (std::size_t round = 0; round < test::number_of_cases(60); ++round) {
     Vec<N, T> point;
     for (Dim i = 0; i < N; ++i) point[i] = static_cast<T>(static_cast<int>(numbers.between(-5 * size, 5 * size))) / 2;
     for (const std::size_t k : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 33U}) {

@@ -9,25 +9,20 @@
 
 #include <graze/broad/index/box_limits.hpp>
 
+#include "spaces.hpp"
+
 namespace graze::detail::box_limits_test {
 namespace {
 
 template <class Traits>
 class BoxLimitsTest : public testing::Test {};
 
-template <Dim M, class U>
-struct Space {
-  static constexpr Dim N = M;
-  using T = U;
-};
-
-using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
-TYPED_TEST_SUITE(BoxLimitsTest, Spaces);
+TYPED_TEST_SUITE(BoxLimitsTest, test::Spaces);
 
 /// Few distinct coordinates, so that boxes touch, with the extremes of all numbers and both zeros.
 TYPED_TEST(BoxLimitsTest, SaysWhatBoxesOverlapSays) {
-  constexpr Dim N = TypeParam::N;
-  using T = typename TypeParam::T;
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
   constexpr T infinity = std::numeric_limits<T>::infinity();
   const T numbers[] = {-infinity, std::numeric_limits<T>::lowest(),     -1,   -0.0F,
                        0,         std::numeric_limits<T>::denorm_min(), T(1), std::numeric_limits<T>::max(),
@@ -57,8 +52,8 @@ TYPED_TEST(BoxLimitsTest, SaysWhatBoxesOverlapSays) {
 
 /// Each side of a box can decide alone.
 TYPED_TEST(BoxLimitsTest, EveryCoordinateCountsAndNoNumberMeetsNothing) {
-  constexpr Dim N = TypeParam::N;
-  using T = typename TypeParam::T;
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
   const Aabb<N, T> unit{Vec<N, T>(T(0)), Vec<N, T>(T(1))};
   const BoxLimits<N, T> limits(unit);
   EXPECT_TRUE(limits.meets(unit));

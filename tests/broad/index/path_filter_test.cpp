@@ -11,6 +11,8 @@
 #include <graze/broad/index/path_filter.hpp>
 #include <graze/query/intersects.hpp>
 
+#include "spaces.hpp"
+
 namespace graze::detail::path_filter_test {
 namespace {
 
@@ -47,8 +49,7 @@ class PathFilterOf : public ::testing::Test {
   std::size_t all_ = 0;
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(PathFilterOf, Spaces);
+TYPED_TEST_SUITE(PathFilterOf, test::Spaces);
 
 TYPED_TEST(PathFilterOf, PartsNearlyAllThatAreApart) {
   constexpr Dim N = TypeParam::dimension;

@@ -11,6 +11,8 @@
 #include <graze/broad/index/swept_box.hpp>
 #include <graze/math/motion.hpp>
 
+#include "spaces.hpp"
+
 namespace graze::detail::swept_box_test {
 namespace {
 
@@ -89,8 +91,7 @@ class SweptBoxIn : public ::testing::Test {
   std::mt19937 engine_{20261128};
 };
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(SweptBoxIn, Spaces);
+TYPED_TEST_SUITE(SweptBoxIn, test::Spaces);
 
 /// At the entry, and at no time before, the boxes share a point, up to rounding.
 TYPED_TEST(SweptBoxIn, EntersWhenItFirstSharesAPoint) {

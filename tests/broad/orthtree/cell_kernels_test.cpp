@@ -22,15 +22,10 @@
 
 #include "broad/box_worlds.hpp"
 #include "broad/simd_targets.hpp"
+#include "spaces.hpp"
 
 namespace graze::detail::cell_kernels_test {
 namespace {
-
-template <Dim N, class T>
-struct In {
-  static constexpr Dim dimension = N;
-  using scalar = T;
-};
 
 std::vector<std::uint32_t> first_slots(std::size_t count) {
   std::vector<std::uint32_t> slots(count);
@@ -95,8 +90,7 @@ class CellKernelsTest : public testing::Test {
   }
 };
 
-using Spaces = testing::Types<In<2, float>, In<3, float>, In<2, double>, In<3, double>>;
-TYPED_TEST_SUITE(CellKernelsTest, Spaces);
+TYPED_TEST_SUITE(CellKernelsTest, test::Spaces);
 
 TYPED_TEST(CellKernelsTest, FindsTheBoxesThatShareAPoint) {
   using Shape = typename TestFixture::Box;

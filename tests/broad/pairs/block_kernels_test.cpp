@@ -15,15 +15,10 @@
 
 #include "broad/box_worlds.hpp"
 #include "broad/simd_targets.hpp"
+#include "spaces.hpp"
 
 namespace graze::detail::block_kernels_test {
 namespace {
-
-template <Dim N, class T>
-struct In {
-  static constexpr Dim dimension = N;
-  using scalar = T;
-};
 
 template <class Space>
 class BlockKernelsTest : public testing::Test {
@@ -40,8 +35,7 @@ class BlockKernelsTest : public testing::Test {
   }
 };
 
-using Spaces = testing::Types<In<2, float>, In<3, float>, In<2, double>, In<3, double>>;
-TYPED_TEST_SUITE(BlockKernelsTest, Spaces);
+TYPED_TEST_SUITE(BlockKernelsTest, test::Spaces);
 
 template <class Value>
 bool same_bits(const Value& a, const Value& b) {

@@ -247,8 +247,7 @@ void expect_agreement_of_pair() {
 template <class SpaceType>
 class ZonotopeCastOf : public ::testing::Test {};
 
-using Spaces = ::testing::Types<Space<2, float>, Space<2, double>, Space<3, float>, Space<3, double>>;
-TYPED_TEST_SUITE(ZonotopeCastOf, Spaces);
+TYPED_TEST_SUITE(ZonotopeCastOf, test::Spaces);
 
 TYPED_TEST(ZonotopeCastOf, BoxesAgreesWithGjk) {
   constexpr Dim N = TypeParam::dimension;

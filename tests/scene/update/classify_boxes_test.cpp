@@ -11,6 +11,8 @@
 
 #include <graze/scene/update/classify_boxes.hpp>
 
+#include "spaces.hpp"
+
 namespace graze::detail {
 namespace {
 
@@ -82,18 +84,11 @@ std::vector<Pair> some_pairs(std::size_t boxes) {
 template <class Space>
 class JudgeBoxes : public testing::Test {};
 
-template <Dim n, class Number>
-struct Space {
-  static constexpr Dim N = n;
-  using T = Number;
-};
-
-using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
-TYPED_TEST_SUITE(JudgeBoxes, Spaces);
+TYPED_TEST_SUITE(JudgeBoxes, test::Spaces);
 
 TYPED_TEST(JudgeBoxes, SaysOfEachPairWhatAPlainLoopSays) {
-  constexpr Dim N = TypeParam::N;
-  using T = typename TypeParam::T;
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
   EXPECT_TRUE(rc::check([] {
     const std::vector<Aabb<N, T>> boxes = some_boxes<N, T>();
     const std::vector<Pair> pairs = some_pairs(boxes.size() - 1);
@@ -103,8 +98,8 @@ TYPED_TEST(JudgeBoxes, SaysOfEachPairWhatAPlainLoopSays) {
 }
 
 TYPED_TEST(JudgeBoxes, LeavesOpenWhatOnlyTouches) {
-  constexpr Dim N = TypeParam::N;
-  using T = typename TypeParam::T;
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
   std::vector<Aabb<N, T>> boxes;
   for (int k = 0; k < 3; ++k) {
     const Vec<N, T> corner(static_cast<T>(k));
@@ -118,8 +113,8 @@ TYPED_TEST(JudgeBoxes, LeavesOpenWhatOnlyTouches) {
 }
 
 TYPED_TEST(JudgeBoxes, LeavesOpenWhatIsNotItsBox) {
-  constexpr Dim N = TypeParam::N;
-  using T = typename TypeParam::T;
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
   const std::vector<Aabb<N, T>> boxes(3, {Vec<N, T>(T(0)), Vec<N, T>(T(1))});
   const std::vector<Pair> pairs = {{0, 1}, {1, 1}};
   std::vector<char> touches(2);

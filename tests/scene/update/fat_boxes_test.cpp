@@ -9,6 +9,8 @@
 
 #include <graze/scene/update/fat_boxes.hpp>
 
+#include "spaces.hpp"
+
 namespace graze::detail::rooms_test {
 namespace {
 
@@ -31,18 +33,11 @@ std::vector<Aabb<N, T>> some_boxes(bool is_wild) {
 template <class Space>
 class Rooms : public testing::Test {};
 
-template <Dim n, class Number>
-struct Space {
-  static constexpr Dim N = n;
-  using T = Number;
-};
-
-using Spaces = testing::Types<Space<2, float>, Space<3, float>, Space<2, double>, Space<3, double>>;
-TYPED_TEST_SUITE(Rooms, Spaces);
+TYPED_TEST_SUITE(Rooms, test::Spaces);
 
 TYPED_TEST(Rooms, OfManyBoxesAreThoseOfEach) {
-  constexpr Dim N = TypeParam::N;
-  using T = typename TypeParam::T;
+  constexpr Dim N = TypeParam::dimension;
+  using T = typename TypeParam::scalar;
   EXPECT_TRUE(rc::check([] {
     const std::vector<Aabb<N, T>> boxes = some_boxes<N, T>(*rc::gen::arbitrary<bool>());
     const T margin = *rc::gen::element(T(0), T(0.25), T(1e-3), T(1e10));
