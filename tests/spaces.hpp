@@ -7,8 +7,8 @@
 
 namespace graze::test {
 
-/// The spaces for TYPED_TEST_SUITE: a test body reads TypeParam::dimension and TypeParam::scalar. Builds with sanitizers
-/// define GRAZE_TEST_TWO_SPACES: the same code, with each dimension and each scalar, in half the time.
+/// The spaces for TYPED_TEST_SUITE: a test body reads TypeParam::dimension and TypeParam::scalar. Builds with
+/// sanitizers define GRAZE_TEST_TWO_SPACES: the same code, with each dimension and each scalar, in half the time.
 #ifdef GRAZE_TEST_TWO_SPACES
 using Spaces = testing::Types<Space<2, float>, Space<3, double>>;
 #else

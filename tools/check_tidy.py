@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Runs clang-tidy on the sources of the library, its C interface and the program and on the examples, which include all headers; with
 --all also on tests, benchmarks and recipes, which are several times as many files. All batches (GRAZE_UNITY) of a target
-are checked as one unit, and so are all examples, so that their headers are parsed only once. A unit is checked again only
+are checked as one unit, and so are the other sources of a folder of the library, except kernels, and all examples, so that
+their headers are parsed only once. A unit is checked again only
 if one of its files, a project file that it includes, its command or the configuration has changed."""
 
 import argparse
@@ -31,6 +32,9 @@ COMPILED_ELSEWHERE = {
     "tests/package/compiler": "the tests of compilers and their options",
     "tests/package/consumer": "the tests of the installed package",
 }
+
+# Instances of templates that other files instantiate with the same dimension and with the same number type: only --all.
+SAME_CODE = (Path("graze/query/compiled/pairs_2d_double.cpp"), Path("graze/query/compiled/pairs_3d_float.cpp"))
 
 _FINDING = re.compile(r"^(/.*?):(\d+):(\d+): (warning|error): ", re.MULTILINE)
 
@@ -74,10 +78,13 @@ def units_of(root, build):
             source = file.relative_to(root)
             if source.parts[0] == "examples":
                 programs.setdefault((flags, source.parent), []).append(source)
+            elif source.parts[0] == "graze" and is_looked_at_always(source) and not source.stem.endswith("kernels"):
+                batches.setdefault((flags, source.parts[1]), []).append(source)
             else:
                 units.append(Unit((source,), flags))
     for (flags, _), sources in batches.items():
-        units.append(Unit(tuple(sources), flags, "".join(f'#include "{root / source}"\n' for source in sources)))
+        text = "".join(f'#include "{root / source}"\n' for source in sources) if len(sources) > 1 else ""
+        units.append(Unit(tuple(sources), flags, text))
     for (flags, _), sources in programs.items():
         text = "".join(f'#define main main_of_{source.stem}\n#include "{root / source}"\n#undef main\n' for source in sources)
         # A renamed `main` may lack a return; the compilers check the other functions.
@@ -87,6 +94,8 @@ def units_of(root, build):
 
 def is_looked_at_always(path):
     """Library, C interface, program and examples. The examples include headers that no source of the library includes."""
+    if path in SAME_CODE:
+        return False
     return path.parts[0] in ("graze", "apps") or path.parent in (Path("bindings/c/src"), Path("examples"))
 
 

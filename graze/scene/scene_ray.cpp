@@ -25,7 +25,7 @@ void require_ray(const Ray<N, T>& ray, T t_max) {
 }
 
 template <Dim N, class T>
-bool comes_first(const ObjectHit<N, T>& a, const ObjectHit<N, T>& b) {
+bool is_hit_first(const ObjectHit<N, T>& a, const ObjectHit<N, T>& b) {
   return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.id < b.id;
 }
 
@@ -47,7 +47,7 @@ std::optional<ObjectHit<N, T>> SceneView<N, T>::ray_cast(const Ray<N, T>& ray, T
     const auto hit = detail::hit_with_face(in_slot(id.index).shape, ray, t_max);
     if (!hit) return;
     const ObjectHit<N, T> found{id, *hit};
-    if (!best || comes_first(found, *best)) best = found;
+    if (!best || is_hit_first(found, *best)) best = found;
   };
   // Boxes come in the order in which the ray enters them, so most are never visited.
   const detail::SlotIndex<N, T>& index = this->index();
@@ -69,7 +69,7 @@ std::vector<ObjectHit<N, T>> SceneView<N, T>::ray_cast_all(const Ray<N, T>& ray,
   for (const ObjectId& id : near_way(ray, t_max, query)) {
     if (const auto hit = detail::hit_with_face(in_slot(id.index).shape, ray, t_max)) result.push_back({id, *hit});
   }
-  std::sort(result.begin(), result.end(), comes_first<N, T>);
+  std::sort(result.begin(), result.end(), is_hit_first<N, T>);
   return result;
 }
 
