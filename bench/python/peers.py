@@ -98,13 +98,14 @@ def open3d_rows(scale, seconds):
     def tensor(ask, array):
         return lambda: ask(core.Tensor(array))
 
-    scene, mesh = build(), graze.Mesh(vertices, faces, kind="solid", dtype=np.float32)
+    scene = build()
+    surface, mesh = [graze.Mesh(vertices, faces, kind=kind, dtype=np.float32) for kind in ("surface", "solid")]
     peer = "Open3D RaycastingScene"
     yield row(f"mesh of {len(faces):,} faces: build", peer, lambda: graze.Mesh(vertices, faces, kind="solid", dtype=np.float32), build,
               seconds, lambda *_: None)
 
     task = f"closest point of {len(points):,} points"
-    yield row(task, peer, lambda: graze.closest_points(mesh, points), tensor(scene.compute_closest_points, points), seconds,
+    yield row(task, peer, lambda: graze.closest_points(surface, points), tensor(scene.compute_closest_points, points), seconds,
               lambda ours, theirs: require_equal(task, np.linalg.norm(ours - points, axis=1),
                                                  np.linalg.norm(theirs["points"].numpy() - points, axis=1), 1e-5))
     through_the_middle = np.array([[3, 0.1, 0.2, -1, 0, 0]], dtype=np.float32)

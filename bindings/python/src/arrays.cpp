@@ -227,14 +227,16 @@ std::uint64_t packed_of(Argument argument, py::handle value) {
   return number;
 }
 
-std::vector<std::uint64_t> all_packed_of(Argument argument, py::handle value) {
+PackedNumbers::PackedNumbers(Argument argument, py::handle value) {
   if (py::isinstance<py::array_t<std::uint64_t>>(value)) {
     const auto array = py::array_t<std::uint64_t, py::array::c_style>::ensure(value);
     if (!array) throw py::error_already_set();
     if (array.ndim() != 1) {
       throw py::value_error(fmt::format("{} has shape {}; (n,) is needed", argument.text(), shape_text(array)));
     }
-    return {array.data(), array.data() + array.size()};
+    array_ = array;
+    numbers_ = {array.data(), static_cast<std::size_t>(array.size())};
+    return;
   }
   if (PySequence_Check(value.ptr()) == 0 || PySequence_Size(value.ptr()) < 0) {
     PyErr_Clear();
@@ -243,11 +245,10 @@ std::vector<std::uint64_t> all_packed_of(Argument argument, py::handle value) {
   }
   const auto list = py::reinterpret_steal<py::object>(PySequence_Tuple(value.ptr()));
   if (!list) throw py::error_already_set();
-  std::vector<std::uint64_t> numbers;
   for (py::ssize_t i = 0; i < PyTuple_GET_SIZE(list.ptr()); ++i) {
-    numbers.push_back(packed_of(argument, PyTuple_GET_ITEM(list.ptr(), i)));
+    copied_.push_back(packed_of(argument, PyTuple_GET_ITEM(list.ptr(), i)));
   }
-  return numbers;
+  numbers_ = copied_;
 }
 
 double number_of(Argument argument, py::handle value) {

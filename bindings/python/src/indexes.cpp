@@ -133,7 +133,7 @@ struct Methods {
 
   /// Many boxes at once, or none if a key or a box is not valid.
   static void update_many(Held& held, const py::object& numbers, const py::object& values) {
-    const std::vector<std::uint64_t> keys = all_packed_of({"update_many", "keys"}, numbers);
+    const PackedNumbers keys({"update_many", "keys"}, numbers);
     const Rows rows = boxes_of(held, "update_many", values);
     if (rows.count != keys.size()) {
       throw py::value_error(fmt::format("update_many: there are {} keys and {} boxes", keys.size(), rows.count));

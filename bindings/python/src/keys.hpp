@@ -36,8 +36,28 @@ Name unpacked(std::uint64_t number, std::uint32_t owner) {
 /// Throws TypeError for what is not an integer, IndexError for one that cannot be a key.
 std::uint64_t packed_of(Argument argument, py::handle value);
 
-/// The same of an array or another sequence of integers.
-std::vector<std::uint64_t> all_packed_of(Argument argument, py::handle value);
+/// The same of an array of uint64, which it keeps, or of another sequence of integers.
+class PackedNumbers {
+ public:
+  PackedNumbers(Argument argument, py::handle value);
+
+  std::size_t size() const { return numbers_.size(); }
+  std::uint64_t operator[](std::size_t i) const { return numbers_[i]; }
+
+  /// The names, of a container.
+  template <class Name>
+  std::vector<Name> names(std::uint32_t owner) const {
+    std::vector<Name> result;
+    result.reserve(size());
+    for (const std::uint64_t number : numbers_) result.push_back(unpacked<Name>(number, owner));
+    return result;
+  }
+
+ private:
+  py::object array_;
+  std::vector<std::uint64_t> copied_;
+  std::span<const std::uint64_t> numbers_;
+};
 
 template <class Name>
 py::array array_of_names(std::span<const Name> names) {
@@ -47,13 +67,20 @@ py::array array_of_names(std::span<const Name> names) {
   return array_of<std::uint64_t>(std::move(numbers), 0);
 }
 
-/// Of pairs with the members a and b: two columns.
+using PackedPair = std::array<std::uint64_t, 2>;
+
+/// Of pairs with the members a and b.
+template <class NamePair>
+NewRows<PackedPair> packed_pairs(std::span<const NamePair> pairs) {
+  NewRows<PackedPair> numbers(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) numbers[i] = {packed(pairs[i].a), packed(pairs[i].b)};
+  return numbers;
+}
+
+/// Two columns.
 template <class NamePair>
 py::array array_of_name_pairs(std::span<const NamePair> pairs) {
-  std::vector<std::array<std::uint64_t, 2>> numbers;
-  numbers.reserve(pairs.size());
-  for (const NamePair& pair : pairs) numbers.push_back({packed(pair.a), packed(pair.b)});
-  return array_of<std::uint64_t>(std::move(numbers), 2);
+  return array_of<std::uint64_t>(packed_pairs(pairs), 2);
 }
 
 }  // namespace graze::python

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All overlapping pairs of many boxes, and exact tests of many pairs of shapes.
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -10,7 +12,6 @@
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/pairs.hpp>
-#include <graze/broad/touching/pair_tasks.hpp>
 #include <graze/broad/touching_pairs.hpp>
 
 #include "module.hpp"
@@ -151,41 +152,32 @@ py::object relations_of_pairs(const py::object& shapes, const py::object& pairs,
 /// The contacts of many pairs, by their fields.
 template <Dim N, class T>
 struct ContactColumns {
-  ContactColumns(std::span<const PairContact<N, T>> found, const Executor& executor)
-      : pairs(found.size()), normals(found.size()), offsets(offsets_of(found)), points(count()), depths(count()) {
-    detail::in_tasks(found.size(), manifolds_per_task, executor, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) put(i, found[i]);
-    });
+  /// Asks for some candidates at a time, so that their contacts are still in the cache when they are copied.
+  ContactColumns(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates, TouchOptions options) {
+    offsets.push_back(0);
+    for (std::size_t first = 0; first < candidates.size(); first += candidates_at_a_time) {
+      const std::size_t count = std::min(candidates_at_a_time, candidates.size() - first);
+      for (const auto& contact : contacts<N, T>(shapes, candidates.subspan(first, count), options)) add(contact);
+    }
   }
 
-  NewRows<Pair> pairs;
-  NewRows<Vec<N, T>> normals;
-  NewRows<std::int64_t> offsets;
-  NewRows<Vec<N, T>> points;
-  NewRows<T> depths;
+  std::vector<Pair> pairs;
+  std::vector<Vec<N, T>> normals;
+  std::vector<std::int64_t> offsets;
+  std::vector<Vec<N, T>> points;
+  std::vector<T> depths;
 
  private:
-  static constexpr std::size_t manifolds_per_task = 256;
+  static constexpr std::size_t candidates_at_a_time = 8192;
 
-  static NewRows<std::int64_t> offsets_of(std::span<const PairContact<N, T>> found) {
-    NewRows<std::int64_t> offsets(found.size() + 1);
-    offsets[0] = 0;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      offsets[i + 1] = offsets[i] + static_cast<std::int64_t>(found[i].manifold.size);
-    }
-    return offsets;
-  }
-
-  std::size_t count() { return static_cast<std::size_t>(offsets[offsets.size() - 1]); }
-
-  void put(std::size_t row, const PairContact<N, T>& contact) {
-    pairs[row] = contact.pair;
-    normals[row] = contact.manifold.normal;
-    auto place = static_cast<std::size_t>(offsets[row]);
+  void add(const PairContact<N, T>& contact) {
+    pairs.push_back(contact.pair);
+    normals.push_back(contact.manifold.normal);
     for (const ManifoldPoint<N, T>& point : contact.manifold.contacts()) {
-      points[place] = point.point;
-      depths[place++] = point.depth;
+      points.push_back(point.point);
+      depths.push_back(point.depth);
     }
+    offsets.push_back(static_cast<std::int64_t>(points.size()));
   }
 };
 
@@ -193,15 +185,12 @@ py::object contacts_of_pairs(const py::object& shapes, const py::object& pairs, 
   static ResultClass contacts_class("Contacts");
   return ask_candidates("contacts", shapes, pairs, threads,
                         []<Dim N, class T>(In<N, T>, auto all, auto candidates, TouchOptions options) -> py::object {
-                          auto found = without_gil([&] {
-                            return ContactColumns<N, T>(contacts<N, T>(all, candidates, options), *options.executor);
-                          });
+                          auto found = without_gil([&] { return ContactColumns<N, T>(all, candidates, options); });
                           constexpr auto columns = static_cast<std::size_t>(N);
-                          return contacts_class(array_of<std::uint32_t>(std::move(found.pairs), 2),
-                                                array_of<T>(std::move(found.normals), columns),
-                                                array_of<std::int64_t>(std::move(found.offsets), 0),
-                                                array_of<T>(std::move(found.points), columns),
-                                                array_of<T>(std::move(found.depths), 0));
+                          return contacts_class(
+                              array_of(std::move(found.pairs)), array_of<T>(std::move(found.normals), columns),
+                              array_of<std::int64_t>(std::move(found.offsets), 0),
+                              array_of<T>(std::move(found.points), columns), array_of<T>(std::move(found.depths), 0));
                         });
 }
 

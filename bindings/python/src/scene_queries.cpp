@@ -57,9 +57,7 @@ struct QueryWords {
   QueryWords(const char* function, const Held& held, const py::object& layers, const py::object& excluding,
              bool ignore_initial_touch = false) {
     const std::vector<std::string> names = read(held, [](const auto& view) { return view.layer_names(); });
-    for (const std::uint64_t number : all_packed_of({function, "excluding"}, excluding)) {
-      ids.push_back(unpacked<ObjectId>(number, held.owner));
-    }
+    ids = PackedNumbers({function, "excluding"}, excluding).names<ObjectId>(held.owner);
     query.layers = mask_of(function, layers, names);
     query.except = ids;
     query.ignore_initial_touch = ignore_initial_touch;

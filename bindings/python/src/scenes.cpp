@@ -153,10 +153,7 @@ void move_to_shapes(Scene<N, T>& scene, std::span<const ObjectId> ids, std::span
 
 /// To shapes, or to boxes as rows of an array.
 void move_objects(HeldScene& held, const py::object& numbers, const py::object& shapes) {
-  std::vector<ObjectId> ids;
-  for (const std::uint64_t number : all_packed_of({"move_many", "ids"}, numbers)) {
-    ids.push_back(unpacked<ObjectId>(number, held.owner));
-  }
+  const auto ids = PackedNumbers({"move_many", "ids"}, numbers).names<ObjectId>(held.owner);
   const auto require_count = [&](std::size_t count) {
     if (count == ids.size()) return;
     throw py::value_error(fmt::format("move_many: there are {} ids and {} shapes", ids.size(), count));
@@ -207,19 +204,32 @@ unsigned layer_named(HeldScene& held, const std::string& name) {
   return change(held, [&](auto& scene) { return unsigned{scene.layer(name)}; });
 }
 
-py::object python_events(const SceneEvents& events) {
+/// The pairs of a scene's events as Python has them.
+struct EventPairs {
+  explicit EventPairs(const SceneEvents& events)
+      : began(packed_pairs<ObjectPair>(events.began)),
+        stayed(packed_pairs<ObjectPair>(events.stayed)),
+        ended(packed_pairs<ObjectPair>(events.ended)) {}
+
+  NewRows<PackedPair> began;
+  NewRows<PackedPair> stayed;
+  NewRows<PackedPair> ended;
+};
+
+py::object python_events(EventPairs events) {
   static ResultClass events_class("SceneEvents");
-  return events_class(array_of_name_pairs<ObjectPair>(events.began), array_of_name_pairs<ObjectPair>(events.stayed),
-                      array_of_name_pairs<ObjectPair>(events.ended));
+  return events_class(array_of<std::uint64_t>(std::move(events.began), 2),
+                      array_of<std::uint64_t>(std::move(events.stayed), 2),
+                      array_of<std::uint64_t>(std::move(events.ended), 2));
 }
 
 py::object update_scene(HeldScene& held, const py::object& threads) {
   const Threads used("update", threads);
-  return python_events(change(held, [&](auto& scene) -> SceneEvents { return scene.update(used.executor()); }));
+  return python_events(change(held, [&](auto& scene) { return EventPairs(scene.update(used.executor())); }));
 }
 
 py::object events_of(HeldScene& held) {
-  return python_events(change(held, [](auto& scene) -> SceneEvents { return scene.events(); }));
+  return python_events(change(held, [](auto& scene) { return EventPairs(scene.events()); }));
 }
 
 py::object snapshot_of(HeldScene& held) {
