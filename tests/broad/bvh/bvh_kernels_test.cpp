@@ -55,7 +55,7 @@ class BvhKernelsTest : public testing::Test {
   /// Calls test(kernels, node, count, nearby box) for each instruction set and node.
   template <class Test>
   void for_every_node(const Test& test) {
-    ASSERT_EQ(test::simd_targets().size(), kernel_targets());
+    ASSERT_EQ(test::all_simd_targets().size(), kernel_targets());
     for (const std::int64_t target : test::simd_targets()) {
       const test::ForcedTarget forced(target);
       const auto& kernels = bvh_kernels<Space::dimension, typename Space::scalar>();

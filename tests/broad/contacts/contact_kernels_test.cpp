@@ -7,10 +7,7 @@
 #include <limits>
 #include <random>
 #include <span>
-#include <string>
-#include <type_traits>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -25,11 +22,9 @@
 #include <graze/query/manifold.hpp>
 #include <graze/query/relation.hpp>
 #include <graze/shape/any_shape.hpp>
-#include <graze/shape/fields/shape_order.hpp>
 
+#include "broad/contact_kernel_checks.hpp"
 #include "broad/same_manifolds.hpp"
-#include "broad/simd_targets.hpp"
-#include "catalogue.hpp"
 
 namespace graze::detail::primitive_kernels_test {
 namespace {
@@ -42,17 +37,7 @@ template <class T>
 using Box = Aabb<3, T>;
 template <class T>
 using TurnedBox = Obb<3, T>;
-template <class A, class B>
-using PairsOf = std::vector<std::pair<A, B>>;
-
-/// Whether there is a kernel for this instruction set: it must have vectors of at least four doubles.
-bool has_kernel([[maybe_unused]] std::int64_t target) {
-#if HWY_ARCH_X86
-  return target <= HWY_AVX2;  // better sets have lower bits
-#else
-  return false;
-#endif
-}
+using test::PairsOf;
 
 template <class A, class B>
 constexpr PrimitiveKind kind_of() {
@@ -65,55 +50,10 @@ constexpr PrimitiveKind kind_of() {
   return is_a<Obb, B> ? PrimitiveKind::sphere_obb : PrimitiveKind::sphere_sphere;
 }
 
-/// A pair in the order that kernels require; its manifold is that of (a, b), or of (b, a) if swapped.
-template <class T, class A, class B>
-PrimitivesToContact<3, T> to_contact(const A& a, const B& b, bool other_way, Manifold<3, T>& manifold) {
-  const auto* first = reinterpret_cast<const T*>(&a);
-  const auto* second = reinterpret_cast<const T*>(&b);
-  if constexpr (std::is_same_v<A, B> && !is_a<Sphere, A>) {
-    const bool turned = other_way ? !is_in_order(b, a) : !is_in_order(a, b);
-    if (turned != other_way) return {second, first, turned, &manifold};
-  }
-  return {first, second, other_way, &manifold};
-}
-
-/// Compares everything that a kernel writes with single calls. Returns the number of pairs it leaves.
-template <class T, class A, class B>
-std::size_t left_of(const PairsOf<A, B>& drawn, const std::string& where) {
-  std::vector<Manifold<3, T>> found(drawn.size());
-  std::vector<PrimitivesToContact<3, T>> pairs;
-  const auto other_way = [](std::size_t i) { return i % 3 == 0; };
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    pairs.push_back(to_contact<T>(drawn[i].first, drawn[i].second, other_way(i), found[i]));
-  }
-  std::vector<std::uint32_t> left(drawn.size());
-  const ContactKernel<3, T> kernel = contact_kernels<T>()[static_cast<std::size_t>(kind_of<A, B>())];
-  left.resize(kernel(pairs, left.data()));
-  std::vector<bool> is_left(drawn.size());
-  for (const std::uint32_t place : left) {
-    EXPECT_FALSE(is_left.at(place)) << where;
-    is_left[place] = true;
-  }
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const auto& [a, b] = drawn[i];
-    const Manifold<3, T> right = other_way(i) ? manifold(b, a) : manifold(a, b);
-    EXPECT_TRUE(is_left[i] ? found[i] == (Manifold<3, T>{}) : test::same_manifolds(found[i], right))
-        << where << '\n'
-        << test::to_source<3, T>(a) << '\n'
-        << test::to_source<3, T>(b);
-  }
-  return left.size();
-}
-
-/// With every instruction set; at most this share may be left, if there is a kernel.
 template <class T, class A, class B>
 void expect_single_calls(const PairsOf<A, B>& drawn, double most_left) {
-  for (const std::int64_t target : test::simd_targets()) {
-    const test::ForcedTarget forced(target);
-    const std::size_t left = left_of<T>(drawn, hwy::TargetName(target));
-    if (!has_kernel(target)) continue;
-    EXPECT_LE(static_cast<double>(left), most_left * static_cast<double>(drawn.size())) << hwy::TargetName(target);
-  }
+  test::expect_single_calls_of<3, T>(drawn, most_left,
+                                     [] { return contact_kernels<T>()[static_cast<std::size_t>(kind_of<A, B>())]; });
 }
 
 enum class Sort { random, grid, scaled, level };

@@ -43,7 +43,7 @@ bool same_bits(const Value& a, const Value& b) {
 }
 
 TEST(SimdTargets, AreTriedFromNoneToTheBestOfThisMachine) {
-  const std::vector<std::int64_t> targets = test::simd_targets();
+  const std::vector<std::int64_t> targets = test::all_simd_targets();
   for (const std::int64_t target : targets) {
     const test::ForcedTarget forced(target);
     EXPECT_STREQ((block_kernels<3, float>().target), hwy::TargetName(target));
