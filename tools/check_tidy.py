@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Runs clang-tidy on the sources of the library, its C interface and the program and on the examples, which include all headers; with
---all also on tests, benchmarks and recipes, which are several times as many files. All batches (GRAZE_UNITY) of a target
-are checked as one unit, and so are the other sources of a folder of the library, except kernels, and all examples, so that
-their headers are parsed only once. A unit is checked again only
-if one of its files, a project file that it includes, its command or the configuration has changed."""
+"""Runs clang-tidy on the sources of the library, its C interface and the program and on the examples, which include all
+headers; with --all also on tests, benchmarks and recipes, which are several times as many files. So that headers are parsed
+only once, one unit has all batches (GRAZE_UNITY) of a target, another all other sources of a folder of the library except
+kernels, another all examples. A unit is checked again only if one of its files, a project file that it includes, its
+command or the configuration has changed."""
 
 import argparse
 import json

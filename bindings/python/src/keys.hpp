@@ -40,6 +40,8 @@ std::uint64_t packed_of(Argument argument, py::handle value);
 class PackedNumbers {
  public:
   PackedNumbers(Argument argument, py::handle value);
+  PackedNumbers(const PackedNumbers&) = delete;
+  PackedNumbers& operator=(const PackedNumbers&) = delete;
 
   std::size_t size() const { return numbers_.size(); }
   std::uint64_t operator[](std::size_t i) const { return numbers_[i]; }

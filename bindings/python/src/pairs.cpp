@@ -12,6 +12,7 @@
 
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/pairs.hpp>
+#include <graze/broad/touching/pair_tasks.hpp>
 #include <graze/broad/touching_pairs.hpp>
 
 #include "module.hpp"
@@ -154,6 +155,7 @@ template <Dim N, class T>
 struct ContactColumns {
   /// Asks for some candidates at a time, so that their contacts are still in the cache when they are copied.
   ContactColumns(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates, TouchOptions options) {
+    detail::check_pairs(candidates, shapes.size(), "contacts");  // here, because a part would count from its own first
     offsets.push_back(0);
     for (std::size_t first = 0; first < candidates.size(); first += candidates_at_a_time) {
       const std::size_t count = std::min(candidates_at_a_time, candidates.size() - first);

@@ -176,6 +176,17 @@ class MeshTest(unittest.TestCase):
         self.assertIsInstance(on_cube, graze.MeshHit)
         self.assertIsInstance(on_sphere, graze.RayHit)
 
+    def test_contacts_of_many_pairs_are_those_of_some_at_a_time(self):
+        centers = np.random.default_rng(3).random((3000, 3)) * 8
+        spheres = graze.Sphere.many(centers, np.full(len(centers), 0.5))
+        pairs = graze.overlapping_pairs(graze.bounds(spheres))
+        self.assertGreater(len(pairs), 20_000)
+        found = graze.contacts(spheres, pairs)
+        some = [graze.contacts(spheres, pairs[first : first + 1000]) for first in range(0, len(pairs), 1000)]
+        for field in ("pairs", "normals", "points", "depths"):
+            np.testing.assert_array_equal(getattr(found, field), np.concatenate([getattr(each, field) for each in some]))
+        np.testing.assert_array_equal(np.diff(found.offsets), np.concatenate([np.diff(each.offsets) for each in some]))
+
     def test_wrong_arrays_are_errors(self):
         points = np.zeros((4, 3))
         for error, text, call in [
@@ -185,6 +196,7 @@ class MeshTest(unittest.TestCase):
             (ValueError, "row 2", lambda: graze.signed_distances(self.cube, [[0, 0, 0], [0, 0, 0], [0, 0, np.nan]])),
             (ValueError, "box", lambda: graze.overlapping_pairs(np.full((2, 6), np.nan))),
             (IndexError, "", lambda: graze.touching_pairs([self.cube], [[0, 1]])),
+            (IndexError, "contacts: pair 20000 names shape 9,", lambda: graze.contacts([self.cube] * 2, [[0, 1]] * 20_000 + [[0, 9]])),
             (ValueError, "same dimension", lambda: graze.intersects(self.cube, graze.Sphere([0, 0], 1))),
             (TypeError, "same dtype", lambda: graze.intersects(self.cube, self.cube.astype("float32"))),
             (TypeError, "a graze.Shape is needed, not a int: make one by", lambda: graze.intersects(self.cube, 5)),
