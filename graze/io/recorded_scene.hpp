@@ -11,6 +11,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,9 +30,8 @@
 namespace graze::io {
 
 /// Has the calls of a Scene, with the same meaning, and writes each to a log (docs/query_log.md) with its result: an
-/// answer, or the message of an exception. It wraps a scene, so a Scene that is not recorded pays nothing. A program
-/// that names its scene type once, `using World = graze::Scene<3>;`, records by changing it to
-/// `graze::io::RecordedScene<3>`.
+/// answer, or the message of an exception. A Scene that is not recorded pays nothing. A program that names its scene
+/// type once, `using World = graze::Scene<3>;`, records by changing it to `graze::io::RecordedScene<3>`.
 ///
 /// A call is written and flushed before it is performed, so it is in the log even if the program crashes in it. What
 /// only reads stored values (`object`, `contains`, `size`, snapshots) goes to `scene()` and is not recorded. Const
@@ -41,13 +41,19 @@ namespace graze::io {
 template <Dim N, class T = float>
 class GRAZE_EXPORT RecordedScene {
  public:
-  /// Starts a log on a stream, which must outlive this object, with the current state of a scene. Throws
-  /// std::logic_error if the scene has changed since its last update, because the log could not reproduce its next
-  /// events.
-  explicit RecordedScene(std::ostream& log, Scene<N, T> scene = {});
+  /// Starts a log on a stream, which must outlive this object, of a scene of its own.
+  explicit RecordedScene(std::ostream& log) : RecordedScene(log, nullptr) {}
+
+  /// Starts a log with the current state of a scene, which must outlive this object: its later calls are recorded if
+  /// they are made here. Throws std::logic_error if the scene has changed since its last update, because the log could
+  /// not reproduce its next events.
+  RecordedScene(std::ostream& log, Scene<N, T>& scene) : RecordedScene(log, &scene) {}
+
+  RecordedScene(const RecordedScene&) = delete;
+  RecordedScene& operator=(const RecordedScene&) = delete;
 
   /// The scene, for calls that are not recorded.
-  const Scene<N, T>& scene() const { return scene_; }
+  const Scene<N, T>& scene() const { return *scene_; }
 
   /// As Scene::add. Recorded.
   ObjectId add(AnyShape<N, T> shape, ObjectOptions options = {});
@@ -62,7 +68,7 @@ class GRAZE_EXPORT RecordedScene {
   /// shapes and ids differ.
   template <detail::CopiedIntoAnyShape<N, T> S>
   void move(std::span<const ObjectId> ids, std::span<const S> shapes) {
-    if (ids.size() != shapes.size()) return scene_.move(ids, shapes);  // throws
+    if (ids.size() != shapes.size()) return scene_->move(ids, shapes);  // throws
     std::vector<ObjectMove<N, T>> moves;
     moves.reserve(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) moves.push_back({ids[i], shapes[i]});
@@ -85,23 +91,25 @@ class GRAZE_EXPORT RecordedScene {
   /// As Scene::update. Recorded with its events.
   const SceneEvents& update(const Executor& executor = default_executor());
   /// As Scene::snapshot. Not recorded.
-  std::shared_ptr<const SceneView<N, T>> snapshot() { return scene_.snapshot(); }
+  std::shared_ptr<const SceneView<N, T>> snapshot() { return scene_->snapshot(); }
 
   /// As SceneView::contains. Not recorded.
-  bool contains(ObjectId id) const { return scene_.contains(id); }
+  bool contains(ObjectId id) const { return scene_->contains(id); }
   /// As SceneView::object. Not recorded.
-  const Object<N, T>& object(ObjectId id) const { return scene_.object(id); }
+  const Object<N, T>& object(ObjectId id) const { return scene_->object(id); }
   /// As Scene::events. Not recorded.
-  const SceneEvents& events() const { return scene_.events(); }
+  const SceneEvents& events() const { return scene_->events(); }
   /// As SceneView::ids. Not recorded.
-  std::vector<ObjectId> ids() const { return scene_.ids(); }
+  std::vector<ObjectId> ids() const { return scene_->ids(); }
+  /// As SceneView::layer_names. Not recorded.
+  const std::vector<std::string>& layer_names() const { return scene_->layer_names(); }
   /// As SceneView::size. Not recorded.
-  std::size_t size() const { return scene_.size(); }
+  std::size_t size() const { return scene_->size(); }
 
   /// As SceneView::excepted. Not recorded.
-  bool excepted(ObjectId a, ObjectId b) const { return scene_.excepted(a, b); }
+  bool excepted(ObjectId a, ObjectId b) const { return scene_->excepted(a, b); }
   /// As SceneView::excepted_pairs. Not recorded.
-  std::vector<ObjectPair> excepted_pairs() const { return scene_.excepted_pairs(); }
+  std::vector<ObjectPair> excepted_pairs() const { return scene_->excepted_pairs(); }
 
   /// As SceneView::find. Recorded.
   std::optional<ObjectId> find(std::string_view name) const;
@@ -117,22 +125,46 @@ class GRAZE_EXPORT RecordedScene {
   /// before the call; the log holds the objects that it leaves out.
   std::vector<ObjectTouch<N, T>> contacts_with(const AnyShape<N, T>& shape, const SceneQuery& query = {}) const;
   /// As SceneView::overlapping. Recorded.
-  std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+  std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, const SceneQuery& query) const;
+  /// The same, of layers. Recorded.
+  std::vector<ObjectId> overlapping(const AnyShape<N, T>& region, LayerMask layers = all_layers) const {
+    return overlapping(region, SceneQuery{.layers = layers});
+  }
   /// As SceneView::cull of a shape. Recorded.
-  std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const;
+  std::vector<ObjectId> cull(const AnyShape<N, T>& region, const SceneQuery& query) const;
+  /// The same, of layers. Recorded.
+  std::vector<ObjectId> cull(const AnyShape<N, T>& region, LayerMask layers = all_layers) const {
+    return cull(region, SceneQuery{.layers = layers});
+  }
   /// As SceneView::cull of a frustum. Recorded.
-  std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const;
+  std::vector<ObjectId> cull(const Frustum<N, T>& frustum, const SceneQuery& query) const;
+  /// The same, of layers. Recorded.
+  std::vector<ObjectId> cull(const Frustum<N, T>& frustum, LayerMask layers = all_layers) const {
+    return cull(frustum, SceneQuery{.layers = layers});
+  }
   /// As SceneView::nearest. Recorded.
-  std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const;
+  std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, const SceneQuery& query) const;
+  /// The same, of layers. Recorded.
+  std::vector<NearObject<T>> nearest(const Vec<N, T>& point, std::size_t count, LayerMask layers = all_layers) const {
+    return nearest(point, count, SceneQuery{.layers = layers});
+  }
   /// As SceneView::nearest to a shape. Recorded.
   std::vector<NearObject<T>> nearest(const AnyShape<N, T>& shape, std::size_t count,
                                      const SceneQuery& query = {}) const;
   /// As SceneView::ray_cast. Recorded.
+  std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const;
+  /// The same, of layers. Recorded.
   std::optional<ObjectHit<N, T>> ray_cast(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
-                                          LayerMask layers = all_layers) const;
+                                          LayerMask layers = all_layers) const {
+    return ray_cast(ray, t_max, SceneQuery{.layers = layers});
+  }
   /// As SceneView::ray_cast_all. Recorded.
+  std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max, const SceneQuery& query) const;
+  /// The same, of layers. Recorded.
   std::vector<ObjectHit<N, T>> ray_cast_all(const Ray<N, T>& ray, T t_max = std::numeric_limits<T>::infinity(),
-                                            LayerMask layers = all_layers) const;
+                                            LayerMask layers = all_layers) const {
+    return ray_cast_all(ray, t_max, SceneQuery{.layers = layers});
+  }
   /// As SceneView::shape_cast. Recorded.
   std::optional<ObjectImpact<N, T>> shape_cast(const AnyShape<N, T>& shape, const Vec<N, T>& motion,
                                                const SceneQuery& query = {}) const;
@@ -144,16 +176,19 @@ class GRAZE_EXPORT RecordedScene {
                                                    const SceneQuery& query = {}) const;
 
  private:
+  RecordedScene(std::ostream& log, Scene<N, T>* scene);
+
   std::vector<ObjectId> left_out_by(const SceneQuery& query) const;
   template <class Ask>
-  auto ask(LoggedCall<N> call, const AnyShape<N, T>& shape, const SceneQuery& query, const Ask& act) const;
+  auto ask(LoggedCall<N> call, const SceneQuery& query, const Ask& act) const;
   template <class Act>
   decltype(auto) record(const LoggedCall<N>& call, const Act& act) const;
   void write(const LoggedCall<N>& call) const;
   void write(const LoggedAnswer& answer) const;
   void write_past();
 
-  Scene<N, T> scene_;
+  Scene<N, T> own_;
+  Scene<N, T>* scene_;
   std::ostream* log_;
   LoggedIds ids_;
   mutable std::mutex one_call_;

@@ -24,22 +24,25 @@ template <Dim N, class T>
 void ask_at_random(const RecordedScene<N, T>& scene) {
   const AnyShape<N, T> region = *test::any_shape<N, T>();
   const LayerMask layers = *rc::gen::element(all_layers, LayerMask{1}, LayerMask{2}, LayerMask{0});
-  const SceneQuery query{.layers = layers, .ignore_initial_touch = *rc::gen::arbitrary<bool>()};
+  const std::vector<ObjectId> all = scene.ids();
+  const std::vector<ObjectId> except(all.begin(),
+                                     all.begin() + *rc::gen::inRange<std::ptrdiff_t>(0, std::ssize(all) + 1));
+  const SceneQuery query{.layers = layers, .except = except, .ignore_initial_touch = *rc::gen::arbitrary<bool>()};
   switch (*rc::gen::inRange(0, 13)) {
     case 0:
-      scene.overlapping(region, layers);
+      scene.overlapping(region, query);
       break;
     case 1:
-      scene.cull(region, layers);
+      scene.cull(region, query);
       break;
     case 2:
-      scene.nearest(*test::any<Vec<N, T>>(), *rc::gen::inRange<std::size_t>(0, 5), layers);
+      scene.nearest(*test::any<Vec<N, T>>(), *rc::gen::inRange<std::size_t>(0, 5), query);
       break;
     case 3:
-      scene.ray_cast(*test::any<Ray<N, T>>(), *rc::gen::element(T(1), std::numeric_limits<T>::infinity()), layers);
+      scene.ray_cast(*test::any<Ray<N, T>>(), *rc::gen::element(T(1), std::numeric_limits<T>::infinity()), query);
       break;
     case 4:
-      scene.ray_cast_all(*test::any<Ray<N, T>>(), *rc::gen::element(T(1), std::numeric_limits<T>::infinity()), layers);
+      scene.ray_cast_all(*test::any<Ray<N, T>>(), *rc::gen::element(T(1), std::numeric_limits<T>::infinity()), query);
       break;
     case 5:
       scene.contacts();

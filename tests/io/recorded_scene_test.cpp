@@ -205,6 +205,45 @@ TEST(RecordedScene, RefusesASceneWhoseNextEventsALogCouldNotTell) {
   before.move(a, Ball{{9, 9}, 1});
   std::ostringstream log;
   EXPECT_THROW(World(log, before), std::logic_error);
+  EXPECT_EQ(before.update().ended.size(), 1U);
+}
+
+TEST(RecordedScene, OfAnotherSceneRecordsUntilItIsGone) {
+  Scene<2, double> scene;
+  const ObjectId id = scene.add(Ball{{0, 0}, 1});
+  std::ostringstream log;
+  {
+    World recorded(log, scene);
+    recorded.move(id, Ball{{1, 0}, 1});
+    EXPECT_EQ(&recorded.scene(), &scene);
+  }
+  const std::string text = log.str();
+  EXPECT_EQ(scene.update().began.size(), 0U);
+  EXPECT_EQ(std::get<Ball>(scene.object(id).shape).center, (Vec<2, double>(1, 0)));
+  EXPECT_EQ(log.str(), text);
+  EXPECT_EQ(differences_in(text), 0U);
+}
+
+TEST(RecordedScene, WritesWhatEveryQueryLeavesOut) {
+  std::ostringstream log;
+  World scene(log);
+  const ObjectId left = scene.add(Ball{{4, 0}, 1});
+  const ObjectId right = scene.add(Ball{{9, 0}, 1});
+  const AnyShape<2, double> all = Aabb<2, double>{{-20, -20}, {20, 20}};
+  const Ray<2, double> ray{{0, 0}, {1, 0}};
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const SceneQuery query{.except = {&left, 1}, .predicate = [&](ObjectId id) { return id == right; }};
+  const std::size_t before = log.str().size();
+  EXPECT_EQ(scene.overlapping(all, query), std::vector{right});
+  EXPECT_EQ(scene.cull(all, query), std::vector{right});
+  EXPECT_EQ(scene.nearest({0, 0}, 2, query).size(), 1U);
+  EXPECT_EQ(scene.ray_cast(ray, inf, query)->id, right);
+  EXPECT_EQ(scene.ray_cast_all(ray, inf, query).size(), 1U);
+  const std::string text = log.str().substr(before);
+  std::size_t lists = 0;
+  for (std::size_t at = 0; (at = text.find(R"("except": [[0, 1]]})", at)) != std::string::npos; ++at) ++lists;
+  EXPECT_EQ(lists, 5U);
+  EXPECT_EQ(differences_in(log.str()), 0U);
 }
 
 TEST(RecordedScene, WritesWhatManyThreadsAskOneAfterTheOther) {

@@ -72,46 +72,33 @@ class WorldTarget final : public CallTarget<N> {
         return logged(world_.pairs());
       case CallKind::contacts:
         return logged(world_.contacts());
-      case CallKind::cull_frustum:
-        return logged(world_.cull(frustum(call), call.layers));
       case CallKind::closest_pairs:
         return logged(world_.closest_pairs(static_cast<T>(call.within)));
-      case CallKind::shape_cast:
-      case CallKind::shape_cast_all:
-      case CallKind::time_of_impact:
-      case CallKind::contacts_with:
-      case CallKind::nearest_to:
+      default:
         return ask_with_query(call);
-      default:
-        return ask_about_shape(call);
-    }
-  }
-
-  LoggedAnswer ask_about_shape(const LoggedCall<N>& call) {
-    const AnyShape<N, T> asked = shape(call, 0);
-    const T t_max = static_cast<T>(call.t_max);
-    switch (call.kind) {
-      case CallKind::overlapping:
-        return logged(world_.overlapping(asked, call.layers));
-      case CallKind::cull:
-        return logged(world_.cull(asked, call.layers));
-      case CallKind::nearest:
-        return logged(world_.nearest(std::get<Vec<N, T>>(asked), call.count, call.layers));
-      case CallKind::ray_cast:
-        return logged(world_.ray_cast(std::get<Ray<N, T>>(asked), t_max, call.layers));
-      default:
-        return logged(world_.ray_cast_all(std::get<Ray<N, T>>(asked), t_max, call.layers));
     }
   }
 
   LoggedAnswer ask_with_query(const LoggedCall<N>& call) {
-    const AnyShape<N, T> asked = shape(call, 0);
     std::vector<ObjectId> except;
     for (const ObjectId& id : call.except) except.push_back(ids_.real(id));
     const SceneQuery query{.layers = call.layers, .except = except, .ignore_initial_touch = call.ignore_initial_touch};
+    if (call.kind == CallKind::cull_frustum) return logged(world_.cull(frustum(call), query));
+    const AnyShape<N, T> asked = shape(call, 0);
+    const T t_max = static_cast<T>(call.t_max);
     const Motion<N, T> motion{Vec<N, T>(call.motion.linear), Turn<N, T>(call.motion.angular),
                               Vec<N, T>(call.motion.center)};
     switch (call.kind) {
+      case CallKind::overlapping:
+        return logged(world_.overlapping(asked, query));
+      case CallKind::cull:
+        return logged(world_.cull(asked, query));
+      case CallKind::nearest:
+        return logged(world_.nearest(std::get<Vec<N, T>>(asked), call.count, query));
+      case CallKind::ray_cast:
+        return logged(world_.ray_cast(std::get<Ray<N, T>>(asked), t_max, query));
+      case CallKind::ray_cast_all:
+        return logged(world_.ray_cast_all(std::get<Ray<N, T>>(asked), t_max, query));
       case CallKind::shape_cast:
         return logged(world_.shape_cast(asked, motion.linear, query));
       case CallKind::shape_cast_all:
