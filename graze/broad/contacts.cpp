@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include <graze/broad/batch/tasks.hpp>
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/contacts/2d/contacts.hpp>
 #include <graze/broad/contacts/contact_kernels.hpp>
@@ -304,16 +305,16 @@ std::vector<PairContact<N, T>> contacts(std::span<const AnyShape<N, T>> shapes, 
       [&](std::size_t first, std::size_t last, detail::TouchingPair* out) {
         return detail::CandidatesOfTask<N, T>(shapes, candidates.subspan(first, last - first)).keep_touching(out);
       });
-  std::vector<PairContact<N, T>> result(touching.size());
-  detail::in_tasks(touching.size(), detail::manifolds_per_task, executor, [&](std::size_t first, std::size_t last) {
-    const detail::TouchingPair* const pairs = touching.data() + first;
-    PairContact<N, T>* const out = result.data() + first;
-    for (std::size_t i = 0; i < last - first; ++i) out[i].pair = pairs[i].pair;
-    detail::write_manifolds<N, T>(
-        last - first, [=](std::size_t i) { return detail::shapes_of<N, T>(shapes, pairs[i].pair); },
-        [pairs](std::size_t i) { return pairs[i].look; }, [out](std::size_t i) -> auto& { return out[i].manifold; });
-  });
-  return result;
+  using Found = PairContact<N, T>;
+  return detail::written_by_tasks<Found>(
+      touching.size(), detail::manifolds_per_task, executor, [&](std::size_t first, std::size_t last, Found* out) {
+        const detail::TouchingPair* const pairs = touching.data() + first;
+        for (std::size_t i = 0; i < last - first; ++i) out[i].pair = pairs[i].pair;
+        detail::write_manifolds<N, T>(
+            last - first, [=](std::size_t i) { return detail::shapes_of<N, T>(shapes, pairs[i].pair); },
+            [pairs](std::size_t i) { return pairs[i].look; },
+            [out](std::size_t i) -> auto& { return out[i].manifold; });
+      });
 }
 
 #define GRAZE_INSTANTIATE(N, T)                                                                            \

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include <graze/broad/batch/tasks.hpp>
 #include <graze/broad/contacts.hpp>
 #include <graze/broad/executor.hpp>
-#include <graze/broad/touching/pair_tasks.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/manifold.hpp>
 #include <graze/scene/scene_query.hpp>
@@ -25,17 +25,17 @@ constexpr std::size_t task_size = 256;
 template <Dim N, class T>
 std::vector<ObjectContact<N, T>> SceneView<N, T>::contacts(const Executor& executor) const {
   const std::vector<ObjectPair> touching = pairs();
-  std::vector<ObjectContact<N, T>> result(touching.size());
-  detail::in_tasks(touching.size(), task_size, executor, [&](std::size_t first, std::size_t last) {
-    std::array<detail::ShapesToContact<N, T>, task_size> shapes;
-    for (std::size_t i = first; i < last; ++i) {
-      const auto& [a, b] = touching[i];
-      result[i].pair = touching[i];
-      shapes[i - first] = {{&in_slot(a.index).shape, &in_slot(b.index).shape}, &result[i].manifold};
-    }
-    detail::contacts_of<N, T>(std::span(shapes).first(last - first));
-  });
-  return result;
+  using Found = ObjectContact<N, T>;
+  return detail::written_by_tasks<Found>(
+      touching.size(), task_size, executor, [&](std::size_t first, std::size_t last, Found* out) {
+        std::array<detail::ShapesToContact<N, T>, task_size> shapes;
+        for (std::size_t i = 0; i < last - first; ++i) {
+          out[i].pair = touching[first + i];
+          const auto& [a, b] = out[i].pair;
+          shapes[i] = {{&in_slot(a.index).shape, &in_slot(b.index).shape}, &out[i].manifold};
+        }
+        detail::contacts_of<N, T>(std::span(shapes).first(last - first));
+      });
 }
 
 template <Dim N, class T>

@@ -2,10 +2,10 @@
 // One question to many, in parallel.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include <graze/broad/batch/tasks.hpp>
 #include <graze/broad/executor.hpp>
 
 namespace graze {
@@ -21,12 +21,10 @@ namespace detail {
 template <class Answer, class Ask>
 std::vector<Answer> answers(std::size_t count, const BatchOptions& options, const Ask& ask) {
   constexpr std::size_t per_task = 256;
-  std::vector<Answer> result(count);
-  executor_of(options).parallel_for((count + per_task - 1) / per_task, [&](std::size_t task) {
-    const std::size_t end = std::min(count, (task + 1) * per_task);
-    for (std::size_t i = task * per_task; i < end; ++i) result[i] = ask(i);
-  });
-  return result;
+  return written_by_tasks<Answer>(count, per_task, executor_of(options),
+                                  [&ask](std::size_t first, std::size_t last, Answer* out) {
+                                    for (std::size_t i = first; i < last; ++i) *out++ = ask(i);
+                                  });
 }
 
 }  // namespace detail

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <graze/broad/batch/tasks.hpp>
 #include <graze/broad/executor.hpp>
 #include <graze/broad/pair.hpp>
 #include <graze/math/platform/throw.hpp>
@@ -33,13 +34,6 @@ inline void check_pairs(std::span<const Pair> pairs, std::size_t shapes, const c
     GRAZE_THROW(std::out_of_range(std::string(caller) + ": pair " + std::to_string(i) + " names shape " +
                                   std::to_string(largest) + ", but there are only " + std::to_string(shapes)));
   }
-}
-
-/// Calls work(first, last) for ranges of [0, count), each of length `task_size` except the last.
-template <class Work>
-void in_tasks(std::size_t count, std::size_t task_size, const Executor& executor, const Work& work) {
-  executor.parallel_for((count + task_size - 1) / task_size,
-                        [&](std::size_t task) { work(task * task_size, std::min(count, (task + 1) * task_size)); });
 }
 
 /// Concatenates what keep(first, last, out) writes for each task; it returns how many it wrote.
