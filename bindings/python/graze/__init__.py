@@ -62,6 +62,7 @@ from graze._graze import (
     relations,
     replay,
     report,
+    scene_after,
     scene_json,
     self_intersections,
     separation,

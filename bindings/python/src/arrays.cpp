@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -131,14 +132,14 @@ void require_finite(Argument argument, const Rows& rows) {
 }
 
 template <class T>
-std::vector<T> numbers_of(Argument argument, py::handle value, std::size_t count) {
+py::array numbers_of(Argument argument, py::handle value, std::span<const std::size_t> sizes) {
   const py::array array = any_array(argument, value);
-  if (array.ndim() != 1 || static_cast<std::size_t>(array.shape(0)) != count) {
-    throw py::value_error(fmt::format("{} has shape {}; ({},) is needed", argument.text(), shape_text(array), count));
+  if (!std::equal(sizes.begin(), sizes.end(), array.shape(), array.shape() + array.ndim(),
+                  [](std::size_t needed, py::ssize_t given) { return std::cmp_equal(needed, given); })) {
+    throw py::value_error(fmt::format("{} has shape {}; ({}{}) is needed", argument.text(), shape_text(array),
+                                      fmt::join(sizes, ", "), sizes.size() == 1 ? "," : ""));
   }
-  const py::array numbers = converted<T>(argument, array);
-  const T* const first = static_cast<const T*>(numbers.data());
-  return {first, first + count};
+  return converted<T>(argument, array);
 }
 
 Dim columns_of_points(Argument argument, py::handle value) {
@@ -295,8 +296,8 @@ Mat<N, T> matrix_of(Argument argument, py::handle value) {
   return matrix;
 }
 
-template std::vector<float> numbers_of(Argument, py::handle, std::size_t);
-template std::vector<double> numbers_of(Argument, py::handle, std::size_t);
+template py::array numbers_of<float>(Argument, py::handle, std::span<const std::size_t>);
+template py::array numbers_of<double>(Argument, py::handle, std::span<const std::size_t>);
 #define GRAZE_PYTHON_ARRAYS(N, T)                                        \
   template std::vector<Vec<N, T>> points_of<N, T>(Argument, py::handle); \
   template Vec<N, T> vector_of<N, T>(Argument, py::handle);              \

@@ -56,9 +56,9 @@ Rows rows_of(Argument argument, py::handle value, std::initializer_list<std::siz
 /// The same of a number type and a number of columns that another argument has determined.
 Rows rows_in(Argument argument, py::handle value, std::size_t columns, World world, std::string_view other);
 
-/// One number for each of `count` rows.
+/// An array of numbers of any type as a contiguous one of T. Throws ValueError unless its axes have these lengths.
 template <class T>
-std::vector<T> numbers_of(Argument argument, py::handle value, std::size_t count);
+py::array numbers_of(Argument argument, py::handle value, std::span<const std::size_t> sizes);
 
 /// Points of any number type, converted to T.
 template <Dim N, class T>

@@ -13,6 +13,7 @@
 
 #include <graze/io/json_scene.hpp>
 #include <graze/io/log/query_log.hpp>
+#include <graze/io/log/scene_after.hpp>
 #include <graze/io/log/side_by_side.hpp>
 #include <graze/io/replay.hpp>
 #include <graze/io/scene_file.hpp>
@@ -29,11 +30,14 @@ namespace {
 
 io::SceneFile file_of(const HeldScene& held) {
   return std::visit(
-      [&]<Dim N, class T>(const Scene<N, T>& scene) {
+      [&]<Dim N, class T>(const LoggedScene<N, T>& held_scene) {
         return without_gil([&] {
           const std::shared_lock lock(*held.lock);
-          return io::SceneFile{
-              io::scene_with_numbers<double>(scene), "", std::string(io::json_scene_schema), io::YAxis::up, {}};
+          return io::SceneFile{io::scene_with_numbers<double>(held_scene.scene),
+                               "",
+                               std::string(io::json_scene_schema),
+                               io::YAxis::up,
+                               {}};
         });
       },
       held.any);
@@ -98,6 +102,14 @@ py::object replay_text(const std::string& text, const std::string& source) {
   return report_class(report.calls, report.differing);
 }
 
+py::object scene_after_text(const std::string& text, const std::string& source) {
+  auto scene = without_gil([&] {
+    const io::AnyQueryLog log = io::parse_query_log(text, source);
+    return std::visit([&](const auto& any) -> io::AnyScene { return io::scene_after(any, source); }, log);
+  });
+  return std::visit([]<Dim N>(Scene<N, double>& after) { return python_scene<N, double>(std::move(after)); }, scene);
+}
+
 }  // namespace
 
 py::list texts_of(const std::vector<io::Omission>& omissions) {
@@ -136,6 +148,8 @@ void add_files(py::module_& module) {
   module.def("scene_json", &scene_text, py::arg("scene"), "A scene as a text in graze's format, docs/scene_format.md.");
   module.def("replay", &replay_text, py::arg("text"), py::arg("source") = "log",
              "Performs the calls of a query log (docs/query_log.md) again and compares the answers: a ReplayReport.");
+  module.def("scene_after", &scene_after_text, py::arg("text"), py::arg("source") = "log",
+             "The scene after the calls of a query log, with float64.");
 }
 
 }  // namespace graze::python

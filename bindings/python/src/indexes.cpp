@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Indexes of moving boxes: Bvh, Orthtree and Grid.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -89,13 +90,9 @@ struct Methods {
 
   template <Dim N, class T>
   static Aabb<N, T> box_of(const py::object& value) {
-    const auto numbers = numbers_of<T>({"box", "box"}, value, 2 * static_cast<std::size_t>(N));
-    Aabb<N, T> box;
-    for (Dim i = 0; i < N; ++i) {
-      box.min[i] = numbers[static_cast<std::size_t>(i)];
-      box.max[i] = numbers[static_cast<std::size_t>(N + i)];
-    }
-    return box;
+    const std::array<std::size_t, 1> sizes = {2 * static_cast<std::size_t>(N)};
+    const py::array numbers = numbers_of<T>({"box", "box"}, value, sizes);
+    return *static_cast<const Aabb<N, T>*>(numbers.data());
   }
 
   static Rows boxes_of(const Held& held, const char* function, const py::object& boxes) {

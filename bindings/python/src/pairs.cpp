@@ -15,6 +15,7 @@
 #include <graze/broad/touching/pair_tasks.hpp>
 #include <graze/broad/touching_pairs.hpp>
 
+#include "contact_columns.hpp"
 #include "module.hpp"
 #include "results.hpp"
 
@@ -122,10 +123,10 @@ template <class Ask>
 py::object ask_candidates(const char* function, const py::object& shapes, const py::object& pairs,
                           const py::object& threads, const Ask& ask) {
   return in_world(world_of_shapes(function, shapes), [&]<Dim N, class T>(In<N, T> world) {
-    const ShapeSpan<N, T> all(function, shapes);
+    const ShapeSequence<N, T> all(function, shapes);
     const PairRows candidates({function, "pairs"}, pairs);
     const Threads used(function, threads);
-    return ask(world, all.span(), candidates.pairs(), TouchOptions{&used.executor()});
+    return ask(world, all.any(), candidates.pairs(), TouchOptions{&used.executor()});
   });
 }
 
@@ -150,49 +151,27 @@ py::object relations_of_pairs(const py::object& shapes, const py::object& pairs,
                         });
 }
 
-/// The contacts of many pairs, by their fields.
+/// Asks for some candidates at a time, so that their contacts are still in the cache when they are copied.
 template <Dim N, class T>
-struct ContactColumns {
-  /// Asks for some candidates at a time, so that their contacts are still in the cache when they are copied.
-  ContactColumns(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates, TouchOptions options) {
-    detail::check_pairs(candidates, shapes.size(), "contacts");  // here, because a part would count from its own first
-    offsets.push_back(0);
-    for (std::size_t first = 0; first < candidates.size(); first += candidates_at_a_time) {
-      const std::size_t count = std::min(candidates_at_a_time, candidates.size() - first);
-      for (const auto& contact : contacts<N, T>(shapes, candidates.subspan(first, count), options)) add(contact);
+ContactColumns<N, T, Pair> contact_columns(std::span<const AnyShape<N, T>> shapes, std::span<const Pair> candidates,
+                                           TouchOptions options) {
+  constexpr std::size_t candidates_at_a_time = 8192;
+  detail::check_pairs(candidates, shapes.size(), "contacts");  // here, because a part would count from its own first
+  ContactColumns<N, T, Pair> columns;
+  for (std::size_t first = 0; first < candidates.size(); first += candidates_at_a_time) {
+    const std::size_t count = std::min(candidates_at_a_time, candidates.size() - first);
+    for (const auto& found : contacts<N, T>(shapes, candidates.subspan(first, count), options)) {
+      columns.add(found.pair, found.manifold);
     }
   }
-
-  std::vector<Pair> pairs;
-  std::vector<Vec<N, T>> normals;
-  std::vector<std::int64_t> offsets;
-  std::vector<Vec<N, T>> points;
-  std::vector<T> depths;
-
- private:
-  static constexpr std::size_t candidates_at_a_time = 8192;
-
-  void add(const PairContact<N, T>& contact) {
-    pairs.push_back(contact.pair);
-    normals.push_back(contact.manifold.normal);
-    for (const ManifoldPoint<N, T>& point : contact.manifold.contacts()) {
-      points.push_back(point.point);
-      depths.push_back(point.depth);
-    }
-    offsets.push_back(static_cast<std::int64_t>(points.size()));
-  }
-};
+  return columns;
+}
 
 py::object contacts_of_pairs(const py::object& shapes, const py::object& pairs, const py::object& threads) {
-  static ResultClass contacts_class("Contacts");
   return ask_candidates("contacts", shapes, pairs, threads,
                         []<Dim N, class T>(In<N, T>, auto all, auto candidates, TouchOptions options) -> py::object {
-                          auto found = without_gil([&] { return ContactColumns<N, T>(all, candidates, options); });
-                          constexpr auto columns = static_cast<std::size_t>(N);
-                          return contacts_class(
-                              array_of(std::move(found.pairs)), array_of<T>(std::move(found.normals), columns),
-                              array_of<std::int64_t>(std::move(found.offsets), 0),
-                              array_of<T>(std::move(found.points), columns), array_of<T>(std::move(found.depths), 0));
+                          return without_gil([&] { return contact_columns<N, T>(all, candidates, options); })
+                              .template to_python<std::uint32_t>();
                         });
 }
 

@@ -180,7 +180,7 @@ py::object bounds_of(const py::object& shape) {
     });
   }
   return in_world(world_of_shapes("bounds", shape), [&]<Dim N, class T>(In<N, T>) {
-    return boxes_of_all<N, T>(ShapeSpan<N, T>("bounds", shape).span());
+    return boxes_of_all<N, T>(ShapeSequence<N, T>("bounds", shape).any());
   });
 }
 

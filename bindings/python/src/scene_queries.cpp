@@ -9,6 +9,7 @@
 
 #include <graze/scene/slide.hpp>
 
+#include "contact_columns.hpp"
 #include "results.hpp"
 #include "scenes.hpp"
 
@@ -19,10 +20,10 @@ namespace {
 template <class Use>
 auto read(const HeldScene& held, const Use& use) {
   return std::visit(
-      [&]<Dim N, class T>(const Scene<N, T>& scene) {
+      [&](const auto& scene) {
         return without_gil([&] {
           const std::shared_lock lock(*held.lock);
-          return use(static_cast<const SceneView<N, T>&>(scene));
+          return scene.visit(use);
         });
       },
       held.any);
@@ -38,12 +39,21 @@ auto in_world_of(const Held& held, const Use& use) {
   return in_world(std::visit([](const auto& any) { return world_of(any); }, held.any), use);
 }
 
+template <Dim N, class T>
+const SceneView<N, T>& unrecorded(const SceneView<N, T>& view) {
+  return view;
+}
+template <Dim N, class T>
+const SceneView<N, T>& unrecorded(const io::RecordedScene<N, T>& recorded) {
+  return recorded.scene();
+}
+
 /// ask(view) if the view is of this world, as it always is.
 template <Dim N, class T, class Held, class Ask>
 auto read_in(const Held& held, const Ask& ask) {
   using Answer = decltype(ask(std::declval<const SceneView<N, T>&>()));
   return read(held, [&]<class View>(const View& view) -> Answer {
-    if constexpr (std::is_same_v<View, SceneView<N, T>>) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(unrecorded(view))>, SceneView<N, T>>) {
       return ask(view);
     } else {
       throw std::logic_error("the scene is of another world");
@@ -165,6 +175,21 @@ struct Queries {
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) {
       const auto found = read_in<N, T>(held, [&](const auto& view) { return view.contacts(used.executor()); });
       return python_list(found, [](const auto& contact) { return python_contact(contact); });
+    });
+  }
+
+  static py::object contact_arrays(const Held& held, const py::object& threads) {
+    const Threads used("contact_arrays", threads);
+    return in_world_of(held, [&]<Dim N, class T>(In<N, T>) {
+      return read_in<N, T>(held,
+                           [&](const auto& view) {
+                             ContactColumns<N, T, PackedPair> columns;
+                             for (const auto& [pair, manifold] : view.contacts(used.executor())) {
+                               columns.add({packed(pair.a), packed(pair.b)}, manifold);
+                             }
+                             return columns;
+                           })
+          .template to_python<std::uint64_t>();
     });
   }
 
@@ -303,7 +328,7 @@ struct Queries {
       const AnyShape<N, T>& shape = shape_in<N, T>("slide", given);
       const auto way = point_of<N, T>({"slide", "motion"}, motion);
       const Slide<N, T> found =
-          read_in<N, T>(held, [&](const auto& view) { return slide<N, T>(view, shape, way, options); });
+          read_in<N, T>(held, [&](const auto& view) { return slide<N, T>(unrecorded(view), shape, way, options); });
       return slide_class(frozen_vector<N, T>(found.motion),
                          py::tuple(python_list(found.touches, [](const auto& touch) { return python_impact(touch); })));
     });
@@ -348,6 +373,8 @@ struct Queries {
     maker.method("pairs", &pairs, "All pairs that touch or overlap: (n, 2) ids, ascending.");
     maker.method("contacts", &contacts, keywords, py::arg("threads") = py::none(),
                  "The contact points of `pairs`: a list of ObjectContact.");
+    maker.method("contact_arrays", &contact_arrays, keywords, py::arg("threads") = py::none(),
+                 "The same as arrays, for scenes with many: Contacts, whose pairs are ids.");
     maker.method("closest_pairs", &closest_pairs, py::arg("within"),
                  "All pairs at most `within` apart: a list of NearPair.");
     maker.method("overlapping", &overlapping, shape, keywords, layers, excluding,

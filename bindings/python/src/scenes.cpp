@@ -2,12 +2,17 @@
 #include "scenes.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include <graze/io/output_error.hpp>
+
+#include "files.hpp"
 #include "results.hpp"
 
 namespace graze::python {
@@ -20,7 +25,7 @@ auto change(HeldScene& held, const Use& use) {
       [&](auto& scene) {
         return without_gil([&] {
           const std::scoped_lock lock(*held.lock);
-          return use(scene);
+          return scene.visit(use);
         });
       },
       held.any);
@@ -65,8 +70,8 @@ std::uint64_t unsigned_of(Argument argument, const py::object& value) {
 }
 
 /// Creates a layer that is named and does not exist. Called with the scene to itself.
-template <Dim N, class T>
-ObjectOptions options_of(Scene<N, T>& scene, const ObjectWords& words) {
+template <class World>
+ObjectOptions options_of(World& scene, const ObjectWords& words) {
   ObjectOptions options;
   options.name = words.name;
   options.mask = mask_of("add", words.mask, scene.layer_names());
@@ -87,10 +92,10 @@ std::uint64_t add_object(HeldScene& held, const HeldShape& shape, const std::str
                          const py::object& mask, const py::object& user, bool fixed) {
   const ObjectWords words{name, layer, mask, user, fixed};
   return std::visit(
-      [&]<Dim N, class T>(Scene<N, T>& scene) {
+      [&]<Dim N, class T>(LoggedScene<N, T>& logged) {
         const AnyShape<N, T>& any = shape_in<N, T>("add", shape);
         const auto lock = locked_with_gil(*held.lock);
-        const ObjectId id = scene.add(any, options_of(scene, words));
+        const ObjectId id = logged.visit([&](auto& scene) { return scene.add(any, options_of(scene, words)); });
         held.owner = id.owner;
         return packed(id);
       },
@@ -101,13 +106,16 @@ py::array add_objects(HeldScene& held, const py::object& shapes, const py::objec
                       bool fixed) {
   const ObjectWords words{"", layer, mask, py::int_(0), fixed};
   return std::visit(
-      [&]<Dim N, class T>(Scene<N, T>& scene) {
+      [&]<Dim N, class T>(LoggedScene<N, T>& logged) {
         require_world<N, T>("add_many", shapes);
-        const ShapeSpan<N, T> all("add_many", shapes);
+        const ShapeSequence<N, T> all("add_many", shapes);
         const auto lock = locked_with_gil(*held.lock);
-        const ObjectOptions options = options_of(scene, words);
-        std::vector<ObjectId> ids;
-        for (const AnyShape<N, T>& shape : all.span()) ids.push_back(scene.add(shape, options));
+        const std::vector<ObjectId> ids = logged.visit([&](auto& scene) {
+          const ObjectOptions options = options_of(scene, words);
+          std::vector<ObjectId> added;
+          for (const AnyShape<N, T>& shape : all.any()) added.push_back(scene.add(shape, options));
+          return added;
+        });
         if (!ids.empty()) held.owner = ids.front().owner;
         return array_of_names<ObjectId>(ids);
       },
@@ -117,38 +125,26 @@ py::array add_objects(HeldScene& held, const py::object& shapes, const py::objec
 void move_object(HeldScene& held, const py::object& number, const HeldShape& shape) {
   const ObjectId id = id_of("move", number, held.owner);
   std::visit(
-      [&]<Dim N, class T>(Scene<N, T>& scene) {
+      [&]<Dim N, class T>(LoggedScene<N, T>& logged) {
         const AnyShape<N, T>& any = shape_in<N, T>("move", shape);
         const auto lock = locked_with_gil(*held.lock);
-        scene.move(id, any);
+        logged.visit([&](auto& scene) { scene.move(id, any); });
       },
       held.any);
 }
 
-/// Moves objects to shapes that all have the type S; false if they have not.
-template <class S, Dim N, class T>
-bool move_to_type(Scene<N, T>& scene, std::span<const ObjectId> ids, std::span<const AnyShape<N, T>> shapes) {
-  std::vector<S> of_type;
-  of_type.reserve(shapes.size());
-  for (const AnyShape<N, T>& shape : shapes) {
-    const S* const held = std::get_if<S>(&shape);
-    if (held == nullptr) return false;
-    of_type.push_back(*held);
-  }
-  scene.move(ids, std::span<const S>(of_type));
-  return true;
-}
-
-template <Dim N, class T>
-void move_to_shapes(Scene<N, T>& scene, std::span<const ObjectId> ids, std::span<const AnyShape<N, T>> shapes) {
-  if (move_to_type<Sphere<N, T>>(scene, ids, shapes) || move_to_type<Obb<N, T>>(scene, ids, shapes) ||
-      move_to_type<Capsule<N, T>>(scene, ids, shapes) || move_to_type<Aabb<N, T>>(scene, ids, shapes)) {
-    return;
-  }
-  std::vector<ObjectMove<N, T>> moves;
-  moves.reserve(ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i) moves.push_back({ids[i], shapes[i]});
-  scene.move(std::span<const ObjectMove<N, T>>(moves));
+template <class World, Dim N, class T>
+void move_to_shapes(World& scene, std::span<const ObjectId> ids, const ShapeList<N, T>& list) {
+  list.visit([&]<class S>(std::span<const S> shapes) {
+    if constexpr (std::is_same_v<S, AnyShape<N, T>>) {
+      std::vector<ObjectMove<N, T>> moves;
+      moves.reserve(ids.size());
+      for (std::size_t i = 0; i < ids.size(); ++i) moves.push_back({ids[i], shapes[i]});
+      scene.move(std::span<const ObjectMove<N, T>>(moves));
+    } else {
+      scene.move(ids, shapes);
+    }
+  });
 }
 
 /// To shapes, or to boxes as rows of an array.
@@ -159,25 +155,25 @@ void move_objects(HeldScene& held, const py::object& numbers, const py::object& 
     throw py::value_error(fmt::format("move_many: there are {} ids and {} shapes", ids.size(), count));
   };
   std::visit(
-      [&]<Dim N, class T>(Scene<N, T>& scene) {
+      [&]<Dim N, class T>(LoggedScene<N, T>& logged) {
         if (py::isinstance<py::array>(shapes)) {
           const Rows rows =
               rows_in({"move_many", "boxes"}, shapes, 2 * static_cast<std::size_t>(N), In<N, T>::world, "the scene");
           require_count(rows.count);
           without_gil([&] {
             const std::scoped_lock lock(*held.lock);
-            scene.move(std::span<const ObjectId>(ids), rows.as<Aabb<N, T>>());
+            logged.visit([&](auto& scene) { scene.move(std::span<const ObjectId>(ids), rows.as<Aabb<N, T>>()); });
           });
           return;
         }
         if (ids.empty() && !is_boxed<HeldShapes>(shapes) && PySequence_Check(shapes.ptr()) != 0 && py::len(shapes) == 0)
           return;
         require_world<N, T>("move_many", shapes);
-        const ShapeSpan<N, T> all("move_many", shapes);
-        require_count(all.span().size());
+        const ShapeSequence<N, T> all("move_many", shapes);
+        require_count(all.list().size());
         without_gil([&] {
           const std::scoped_lock lock(*held.lock);
-          move_to_shapes<N, T>(scene, ids, all.span());
+          logged.visit([&](auto& scene) { move_to_shapes(scene, ids, all.list()); });
         });
       },
       held.any);
@@ -234,17 +230,72 @@ py::object events_of(HeldScene& held) {
 
 py::object snapshot_of(HeldScene& held) {
   return std::visit(
-      [&]<Dim N, class T>(Scene<N, T>& scene) {
+      [&]<Dim N, class T>(LoggedScene<N, T>& logged) {
         Snapshot<N, T> snapshot = without_gil([&] {
           const std::scoped_lock lock(*held.lock);
-          return scene.snapshot();
+          return logged.scene.snapshot();
         });
         return boxed(HeldView{std::move(snapshot), held.owner});
       },
       held.any);
 }
 
+std::ofstream opened(const std::filesystem::path& path) {
+  std::ofstream file(path, std::ios::binary);
+  if (!file) throw io::OutputError(path.string() + ": cannot be opened: " + std::generic_category().message(errno));
+  return file;
+}
+
+void start_recording(HeldScene& held, const py::object& path) {
+  const std::filesystem::path place = path_of(path);
+  std::visit(
+      [&]<Dim N, class T>(LoggedScene<N, T>& logged) {
+        without_gil([&] {
+          const std::scoped_lock lock(*held.lock);
+          if (logged.log) throw std::logic_error("record: the scene is recorded already; call stop_recording before");
+          logged.log = std::make_unique<SceneLog<N, T>>(place, logged.scene);
+        });
+      },
+      held.any);
+}
+
+void stop_recording(HeldScene& held) {
+  std::visit(
+      [&](auto& logged) {
+        without_gil([&] {
+          const std::scoped_lock lock(*held.lock);
+          const auto log = std::move(logged.log);
+          if (log) log->finish();
+        });
+      },
+      held.any);
+}
+
 }  // namespace
+
+template <Dim N, class T>
+SceneLog<N, T>::SceneLog(const std::filesystem::path& path, Scene<N, T>& scene)
+    : path_(path), file_(opened(path)), scene_(file_, scene) {
+  require_written();
+}
+
+template <Dim N, class T>
+io::RecordedScene<N, T>& SceneLog<N, T>::scene() {
+  require_written();
+  return scene_;
+}
+
+template <Dim N, class T>
+void SceneLog<N, T>::finish() {
+  file_.close();
+  require_written();
+}
+
+template <Dim N, class T>
+void SceneLog<N, T>::require_written() const {
+  if (file_) return;
+  throw io::OutputError(path_.string() + ": the log cannot be written; stop_recording() ends it");
+}
 
 LayerMask mask_of(const char* function, py::handle value, const std::vector<std::string>& names) {
   if (value.is_none()) return all_layers;
@@ -276,7 +327,7 @@ LayerMask mask_of(const char* function, py::handle value, const std::vector<std:
 template <Dim N, class T>
 py::object python_scene(Scene<N, T> scene) {
   const std::vector<ObjectId> ids = scene.ids();
-  return boxed(HeldScene{std::move(scene), ids.empty() ? 0 : ids.front().owner});
+  return boxed(HeldScene{LoggedScene<N, T>{std::move(scene), nullptr}, ids.empty() ? 0 : ids.front().owner});
 }
 
 void add_scenes(py::module_& module) {
@@ -312,6 +363,10 @@ void add_scenes(py::module_& module) {
                "Finds the pairs that touch now, and how they changed since the last update: SceneEvents.");
   scene.property("events", &events_of, "The events of the last update.");
   scene.method("snapshot", &snapshot_of, "A read-only copy, for readers that keep it while the scene continues.");
+  scene.method("record", &start_recording, py::arg("path"),
+               "Writes this scene's calls and their answers to a query log (docs/query_log.md) from now on. Fails if "
+               "the scene has changed since its last update.");
+  scene.method("stop_recording", &stop_recording, "Ends the log of `record`, if there is one.");
   scene.method("_repr_svg_", &svg_of, "A picture of the scene, its touching pairs highlighted.");
   scene.method(
       "_repr_html_",

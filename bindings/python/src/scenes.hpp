@@ -3,16 +3,20 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <mutex>
 #include <shared_mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include <graze/io/recorded_scene.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/scene/scene_query.hpp>
@@ -23,9 +27,47 @@
 
 namespace graze::python {
 
+/// The query log of a scene, in a file.
+template <Dim N, class T>
+class SceneLog {
+ public:
+  /// Throws OutputError if the file cannot be written, and what RecordedScene throws.
+  SceneLog(const std::filesystem::path& path, Scene<N, T>& scene);
+
+  /// The scene with its calls recorded. Throws OutputError if the last call could not be written.
+  io::RecordedScene<N, T>& scene();
+
+  /// Throws OutputError if not all is written.
+  void finish();
+
+ private:
+  void require_written() const;
+
+  std::filesystem::path path_;
+  std::ofstream file_;
+  io::RecordedScene<N, T> scene_;
+};
+
+/// A scene that can write its calls to a log. It must not be moved while it does.
+template <Dim N, class T>
+struct LoggedScene {
+  /// use(scene), of a Scene<N, T>, or of a RecordedScene<N, T> while there is a log.
+  template <class Use>
+  decltype(auto) visit(const Use& use) {
+    return log ? use(log->scene()) : use(scene);
+  }
+  template <class Use>
+  decltype(auto) visit(const Use& use) const {
+    return log ? use(std::as_const(log->scene())) : use(static_cast<const SceneView<N, T>&>(scene));
+  }
+
+  Scene<N, T> scene;
+  std::unique_ptr<SceneLog<N, T>> log;
+};
+
 /// A scene of any world. Queries share a lock; a call that changes the scene has it alone.
 struct HeldScene {
-  InAnyWorld<Scene> any;
+  InAnyWorld<LoggedScene> any;
   std::uint32_t owner = 0;  ///< That of all ids.
   std::unique_ptr<std::shared_mutex> lock = std::make_unique<std::shared_mutex>();
 };
@@ -49,7 +91,7 @@ struct BoxedName<HeldView> {
 };
 
 template <Dim N, class T>
-World world_of(const Scene<N, T>& /*scene*/) {
+World world_of(const LoggedScene<N, T>& /*scene*/) {
   return In<N, T>::world;
 }
 template <Dim N, class T>

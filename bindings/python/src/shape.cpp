@@ -221,8 +221,9 @@ void add_shape_type(py::module_& module, std::size_t alternative) {
 
 py::object shapes_from(const py::object& sequence) {
   if (is_boxed<HeldShapes>(sequence)) return sequence;
-  return in_world(world_of_shapes("Shapes", sequence),
-                  [&]<Dim N, class T>(In<N, T>) { return boxed(HeldShapes{shapes_of<N, T>("Shapes", sequence)}); });
+  return in_world(world_of_shapes("Shapes", sequence), [&]<Dim N, class T>(In<N, T>) {
+    return boxed(HeldShapes{ShapeList<N, T>(shapes_of<N, T>("Shapes", sequence))});
+  });
 }
 
 py::ssize_t size_of(const HeldShapes& shapes) {
@@ -235,14 +236,14 @@ py::object element_of(const HeldShapes& shapes, py::ssize_t index) {
   if (place < 0 || place >= size)
     throw py::index_error(fmt::format("Shapes has {} shapes, but the index is {}", size, index));
   return std::visit(
-      [place]<Dim N, class T>(const std::vector<AnyShape<N, T>>& list) {
-        return python_shape<N, T>(list[static_cast<std::size_t>(place)], "Shapes");
+      [place]<Dim N, class T>(const ShapeList<N, T>& list) {
+        return python_shape<N, T>(list.any()[static_cast<std::size_t>(place)], "Shapes");
       },
       shapes.any);
 }
 
 World world_of(const HeldShapes& shapes) {
-  return std::visit([]<Dim N, class T>(const std::vector<AnyShape<N, T>>&) { return In<N, T>::world; }, shapes.any);
+  return std::visit([]<Dim N, class T>(const ShapeList<N, T>&) { return In<N, T>::world; }, shapes.any);
 }
 
 void add_shape_list(py::module_& module) {
@@ -336,11 +337,14 @@ World world_of_shapes(const char* function, py::handle sequence) {
 }
 
 template <Dim N, class T>
-ShapeList<N, T> shapes_of(const char* function, py::handle sequence) {
-  if (is_boxed<HeldShapes>(sequence)) return std::get<ShapeList<N, T>>(unboxed<HeldShapes>(sequence).any);
+std::vector<AnyShape<N, T>> shapes_of(const char* function, py::handle sequence) {
+  if (is_boxed<HeldShapes>(sequence)) {
+    const auto shapes = std::get<ShapeList<N, T>>(unboxed<HeldShapes>(sequence).any).any();
+    return {shapes.begin(), shapes.end()};
+  }
   const auto list = py::reinterpret_steal<py::object>(PySequence_Fast(sequence.ptr(), "shapes are needed"));
   if (!list) throw py::error_already_set();
-  ShapeList<N, T> shapes;
+  std::vector<AnyShape<N, T>> shapes;
   const auto size = static_cast<std::size_t>(PySequence_Fast_GET_SIZE(list.ptr()));
   shapes.reserve(size);
   for (std::size_t i = 0; i < size; ++i) {
@@ -388,7 +392,7 @@ void add_shapes(py::module_& module) {
 
 #define GRAZE_PYTHON_SHAPES(N, T)                                           \
   template py::object python_shape<N, T>(AnyShape<N, T>, std::string_view); \
-  template ShapeList<N, T> shapes_of<N, T>(const char*, py::handle);
+  template std::vector<AnyShape<N, T>> shapes_of<N, T>(const char*, py::handle);
 GRAZE_PYTHON_SHAPES(2, float)
 GRAZE_PYTHON_SHAPES(2, double)
 GRAZE_PYTHON_SHAPES(3, float)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,7 +13,11 @@
 #include <vector>
 
 #include <graze/math/vec.hpp>
+#include <graze/shape/aabb.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/capsule.hpp>
+#include <graze/shape/obb.hpp>
+#include <graze/shape/sphere.hpp>
 
 #include "boxed.hpp"
 
@@ -104,10 +109,54 @@ bool is_large(const AnyShape<N, T>& shape) {
   return std::holds_alternative<Mesh<N, T>>(shape) || std::holds_alternative<Compound<N, T>>(shape);
 }
 
+/// Many valid shapes of one world. Those that rows of arrays gave keep their one type for calls that take it, and
+/// become AnyShapes at the first call that needs them.
 template <Dim N, class T>
-using ShapeList = std::vector<AnyShape<N, T>>;
+class ShapeList {
+ public:
+  explicit ShapeList(std::vector<AnyShape<N, T>> shapes) : shapes_(std::move(shapes)) {}
 
-/// Many valid shapes of one world, in memory as batches need them.
+  template <class S>
+  explicit ShapeList(std::vector<S> shapes) {
+    if constexpr (std::is_constructible_v<Kept, std::in_place_type_t<std::vector<S>>>) {
+      shapes_ = std::move(shapes);
+    } else {
+      shapes_ = std::vector<AnyShape<N, T>>(shapes.begin(), shapes.end());
+    }
+  }
+
+  std::size_t size() const {
+    return visit([](const auto& shapes) { return shapes.size(); });
+  }
+
+  /// The shapes, which stay valid as long as the list. The first call may take long, and needs the GIL.
+  std::span<const AnyShape<N, T>> any() const {
+    return visit([this]<class S>(std::span<const S> shapes) -> std::span<const AnyShape<N, T>> {
+      if constexpr (std::is_same_v<S, AnyShape<N, T>>) {
+        return shapes;
+      } else {
+        if (converted_.empty()) converted_.assign(shapes.begin(), shapes.end());
+        return converted_;
+      }
+    });
+  }
+
+  /// use(std::span<const S>()), where S is the type that all have, or AnyShape<N, T>.
+  template <class Use>
+  auto visit(const Use& use) const {
+    return std::visit([&use]<class S>(const std::vector<S>& shapes) { return use(std::span<const S>(shapes)); },
+                      shapes_);
+  }
+
+ private:
+  using Kept = std::variant<std::vector<AnyShape<N, T>>, std::vector<Aabb<N, T>>, std::vector<Obb<N, T>>,
+                            std::vector<Sphere<N, T>>, std::vector<Capsule<N, T>>>;
+
+  Kept shapes_;
+  mutable std::vector<AnyShape<N, T>> converted_;
+};
+
+/// graze.Shapes, of any world.
 struct HeldShapes {
   InAnyWorld<ShapeList> any;
 };
@@ -123,28 +172,28 @@ World world_of_shapes(const char* function, py::handle sequence);
 
 /// The shapes of a sequence, all of one world. Throws TypeError and ValueError, naming the first that does not fit.
 template <Dim N, class T>
-ShapeList<N, T> shapes_of(const char* function, py::handle sequence);
+std::vector<AnyShape<N, T>> shapes_of(const char* function, py::handle sequence);
 
-/// The shapes of graze.Shapes, which are not copied, or of another sequence.
+/// graze.Shapes, which are not copied, or the shapes of another sequence.
 template <Dim N, class T>
-class ShapeSpan {
+class ShapeSequence {
  public:
-  ShapeSpan(const char* function, py::handle sequence) {
+  ShapeSequence(const char* function, py::handle sequence) {
     if (is_boxed<HeldShapes>(sequence)) {
-      shapes_ = std::get<ShapeList<N, T>>(unboxed<HeldShapes>(sequence).any);
+      list_ = &std::get<ShapeList<N, T>>(unboxed<HeldShapes>(sequence).any);
     } else {
-      copied_ = shapes_of<N, T>(function, sequence);
-      shapes_ = copied_;
+      list_ = &copied_.emplace(shapes_of<N, T>(function, sequence));
     }
   }
-  ShapeSpan(const ShapeSpan&) = delete;
-  ShapeSpan& operator=(const ShapeSpan&) = delete;
+  ShapeSequence(const ShapeSequence&) = delete;
+  ShapeSequence& operator=(const ShapeSequence&) = delete;
 
-  std::span<const AnyShape<N, T>> span() const { return shapes_; }
+  const ShapeList<N, T>& list() const { return *list_; }
+  std::span<const AnyShape<N, T>> any() const { return list_->any(); }
 
  private:
-  ShapeList<N, T> copied_;
-  std::span<const AnyShape<N, T>> shapes_;
+  std::optional<ShapeList<N, T>> copied_;
+  const ShapeList<N, T>* list_;
 };
 
 void add_shapes(py::module_& module);

@@ -110,37 +110,23 @@ Dim size_of_vector(Argument argument, py::handle value) {
 template <Dim N, class T, class S, class Access>
 void write_rows(Argument argument, py::handle value, std::vector<S>& shapes, const Access& access) {
   using Value = std::remove_cvref_t<decltype(access(shapes.front()))>;
-  if constexpr (std::is_same_v<Value, T>) {
-    const std::vector<T> numbers = numbers_of<T>(argument, value, shapes.size());
-    for (std::size_t i = 0; i < shapes.size(); ++i) access(shapes[i]) = numbers[i];
-  } else if constexpr (std::is_same_v<Value, Vec<N, T>>) {
-    const std::vector<Vec<N, T>> points = points_of<N, T>(argument, value);
-    if (points.size() != shapes.size()) {
-      throw py::value_error(
-          fmt::format("{} has {} rows, the first field {}", argument.text(), points.size(), shapes.size()));
-    }
-    for (std::size_t i = 0; i < shapes.size(); ++i) access(shapes[i]) = points[i];
-  } else {
-    const auto array = py::array_t<T, py::array::c_style | py::array::forcecast>::ensure(value);
-    if (!array) {
-      PyErr_Clear();
-      throw py::type_error(fmt::format("{} is not an array of numbers", argument.text()));
-    }
-    if (array.ndim() != 3 || static_cast<std::size_t>(array.shape(0)) != shapes.size() || array.shape(1) != N ||
-        array.shape(2) != N) {
-      throw py::value_error(fmt::format("{} needs the shape ({}, {}, {})", argument.text(), shapes.size(), N, N));
-    }
-    const T* numbers = array.data();
-    for (S& shape : shapes) {
-      for (Dim i = 0; i < N; ++i) {
-        for (Dim j = 0; j < N; ++j) access(shape)[j][i] = *numbers++;
-      }
+  constexpr std::size_t side = N;
+  std::vector<std::size_t> sizes = {shapes.size()};
+  if constexpr (std::is_same_v<Value, Vec<N, T>>) sizes = {shapes.size(), side};
+  if constexpr (std::is_same_v<Value, Mat<N, T>>) sizes = {shapes.size(), side, side};
+  const py::array array = numbers_of<T>(argument, value, sizes);
+  const auto* row = static_cast<const Value*>(array.data());
+  for (S& shape : shapes) {
+    if constexpr (std::is_same_v<Value, Mat<N, T>>) {
+      access(shape) = transpose(*row++);
+    } else {
+      access(shape) = *row++;
     }
   }
 }
 
 template <Dim N, class T, class S>
-std::vector<AnyShape<N, T>> made_from_rows(const FieldArguments& arguments) {
+ShapeList<N, T> made_from_rows(const FieldArguments& arguments) {
   if constexpr (detail::HasParts<S> || std::is_same_v<S, Polytope<N, T>>) {
     throw std::logic_error("shapes_from_rows: the type has no fixed size");
   } else {
@@ -163,7 +149,7 @@ std::vector<AnyShape<N, T>> made_from_rows(const FieldArguments& arguments) {
         throw py::value_error(fmt::format("{}.many: the shape of row {} {}", type, row, fault));
       }
     }
-    return {shapes.begin(), shapes.end()};
+    return ShapeList<N, T>(std::move(shapes));
   }
 }
 
@@ -357,7 +343,7 @@ py::object shape_from(const FieldArguments& arguments) {
 }
 
 template <Dim N, class T>
-std::vector<AnyShape<N, T>> shapes_from_rows(const FieldArguments& arguments) {
+ShapeList<N, T> shapes_from_rows(const FieldArguments& arguments) {
   static constexpr auto makers =
       detail::table_of_shapes<N, T>([]<class S>(std::type_identity<S>) { return &made_from_rows<N, T, S>; });
   return makers[arguments.alternative](arguments);
@@ -382,9 +368,9 @@ std::string expression(const HeldShape& shape) {
   return on_shape(shape, []<Dim N, class T>(const AnyShape<N, T>& any) { return spelled_shape<N, T>(any); });
 }
 
-template std::vector<AnyShape<2, float>> shapes_from_rows(const FieldArguments&);
-template std::vector<AnyShape<2, double>> shapes_from_rows(const FieldArguments&);
-template std::vector<AnyShape<3, float>> shapes_from_rows(const FieldArguments&);
-template std::vector<AnyShape<3, double>> shapes_from_rows(const FieldArguments&);
+template ShapeList<2, float> shapes_from_rows(const FieldArguments&);
+template ShapeList<2, double> shapes_from_rows(const FieldArguments&);
+template ShapeList<3, float> shapes_from_rows(const FieldArguments&);
+template ShapeList<3, double> shapes_from_rows(const FieldArguments&);
 
 }  // namespace graze::python

@@ -35,10 +35,10 @@ FieldArguments field_arguments(std::size_t alternative, const py::args& argument
 /// The shape that a constructor makes.
 py::object shape_from(const FieldArguments& arguments);
 
-/// The shapes of arrays with a row for each shape, for types of a fixed number of numbers: a vector for each shape that
-/// the world's AnyShape can hold. Throws ValueError, naming the row, for a shape that is not valid.
+/// The shapes of arrays with a row for each shape, for types of a fixed number of numbers. Throws ValueError, naming
+/// the row, for a shape that is not valid.
 template <Dim N, class T>
-std::vector<AnyShape<N, T>> shapes_from_rows(const FieldArguments& arguments);
+ShapeList<N, T> shapes_from_rows(const FieldArguments& arguments);
 
 /// The world that the arguments determine; `are_rows` if each has a row for each shape.
 World world_of_arguments(const FieldArguments& arguments, bool are_rows);

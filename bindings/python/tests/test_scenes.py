@@ -2,6 +2,7 @@
 """Scenes, meshes and files."""
 
 import pathlib
+import tempfile
 import threading
 import types
 import unittest
@@ -102,6 +103,87 @@ class SceneTest(unittest.TestCase):
         scene.remove(ids[0])
         self.assertEqual(snapshot.ray_cast(ray).id, ids[0])
         self.assertEqual(len(scene.slide(ball, [20, 0, 0]).touches) > 0, True)
+
+    def test_records_its_calls_for_replay(self):
+        for dimension, dtype in ((2, np.float32), (3, np.float64)):
+            scene = graze.Scene(dimension, dtype)
+            first = scene.add(graze.Sphere([0] * dimension, 1, dtype=dtype), name="first")
+            with tempfile.TemporaryDirectory() as folder:
+                path = pathlib.Path(folder, "world.log")
+                scene.record(path)
+                with self.assertRaisesRegex(RuntimeError, "recorded already"):
+                    scene.record(path)
+                centers = np.arange(8 * dimension, dtype=dtype).reshape(8, dimension)
+                spheres = graze.Sphere.many(centers, np.full(8, 1.5), dtype=dtype)
+                ids = scene.add_many(spheres, layer="crowd")
+                scene.update()
+                scene.move_many(ids, graze.Sphere.many(centers + dtype(0.5), np.full(8, 1.5), dtype=dtype))
+                scene.move_many(ids[:2], np.hstack([centers[:2], centers[:2] + dtype(1)]))
+                scene.move(first, spheres[0])
+                scene.except_pair(ids[0], ids[1])
+                self.assertEqual(len(scene.update().began), len(scene.events.began))
+                ray = graze.Ray([-9] * dimension, [1] * dimension, dtype=dtype)
+                self.assertEqual(scene.ray_cast(ray, excluding=[first, ids[0], ids[1]]).id, ids[2])
+                self.assertNotIn(ids[2], scene.overlapping(spheres[2], layers=["crowd"], excluding=[ids[2]]))
+                scene.cull(spheres[1])
+                scene.nearest([0] * dimension, 3, excluding=[first])
+                scene.ray_cast_all(ray, 5)
+                scene.shape_cast(spheres[0], [1] * dimension)
+                scene.contacts(), scene.contacts_with(spheres[3]), scene.closest_pairs(1), scene.candidates(0.5)
+                scene.slide(spheres[0], [1] * dimension)  # is no call on a scene, so it is not recorded
+                with self.assertRaises(IndexError):
+                    scene.remove(int(ids[0]) + 2**40)
+                scene.stop_recording()
+                scene.stop_recording()
+                scene.remove(first)
+                text = path.read_text()
+            report = graze.replay(text)
+            self.assertEqual(report.differing, 0)
+            self.assertEqual(report.calls, text.count('"call"'))
+            self.assertEqual(text.count('{"refused"'), 1)
+            self.assertEqual(text.count('"remove"'), 1)  # that of the stale id
+            after = graze.scene_after(text)
+            self.assertEqual((len(after), after.dtype), (9, np.float64))
+            self.assertEqual(after.object(after.find("first")).shape, spheres[0].astype(np.float64))
+
+    def test_a_log_that_cannot_be_written_is_an_error(self):
+        scene = graze.Scene()
+        with self.assertRaisesRegex(graze.OutputError, "cannot be opened"):
+            scene.record("/no such folder/world.log")
+        ball = scene.add(graze.Sphere([0, 0, 0], 1))
+        scene.add(graze.Sphere([1, 0, 0], 1))
+        scene.update()
+        scene.move(ball, graze.Sphere([9, 0, 0], 1))
+        with tempfile.TemporaryDirectory() as folder, self.assertRaisesRegex(RuntimeError, "since its last update"):
+            scene.record(pathlib.Path(folder, "world.log"))
+        if not pathlib.Path("/dev/full").exists():
+            return
+        with self.assertRaisesRegex(graze.OutputError, "/dev/full"):
+            scene.update()
+            scene.record("/dev/full")
+            scene.pairs()
+            scene.pairs()
+        self.assertEqual(len(scene.snapshot()), 2)
+
+    def test_contacts_are_the_same_as_a_list_and_as_arrays(self):
+        random = np.random.default_rng(11)
+        for dimension, dtype in ((2, np.float32), (3, np.float64)):
+            scene = graze.Scene(dimension, dtype)
+            self.assertEqual(scene.contact_arrays().pairs.shape, (0, 2))
+            half = random.uniform(0.2, 0.6, (60, dimension)).astype(dtype)
+            middle = random.uniform(0, 4, (60, dimension)).astype(dtype)
+            scene.add_many(graze.Aabb.many(middle - half, middle + half, dtype=dtype))
+            arrays, contacts = scene.contact_arrays(), scene.contacts()
+            self.assertGreater(len(contacts), 5)
+            self.assertEqual(arrays.pairs.tolist(), scene.pairs().tolist())
+            self.assertEqual(arrays.pairs.tolist(), [[each.a, each.b] for each in contacts])
+            self.assertEqual(arrays.normals.tolist(), [each.manifold.normal.tolist() for each in contacts])
+            points = [point for each in contacts for point in each.manifold.points]
+            self.assertEqual(arrays.depths.tolist(), [point.depth for point in points])
+            self.assertEqual(arrays.points.tolist(), [point.point.tolist() for point in points])
+            counts = [len(each.manifold.points) for each in contacts]
+            self.assertEqual(np.diff(arrays.offsets).tolist(), counts)
+            self.assertEqual(arrays.points.dtype, dtype)
 
     def test_threads_share_a_scene(self):
         scene = graze.Scene()
