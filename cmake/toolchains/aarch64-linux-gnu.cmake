@@ -5,3 +5,5 @@ set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64 -L /usr/aarch64-linux-gnu)
+# Its notes that GCC 10 changed how small structs are passed concern old libraries, of which there are none here.
+set(CMAKE_CXX_FLAGS_INIT -Wno-psabi)

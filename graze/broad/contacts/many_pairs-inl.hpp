@@ -67,7 +67,7 @@ HWY_INLINE Mask either_of(Mask a, Mask b) { return hn::Or(a, b); }
 HWY_INLINE Mask are_same(Mask a, Mask b) { return hn::Not(hn::Xor(a, b)); }
 
 HWY_INLINE bool any(Mask mask) { return !hn::AllFalse(Tag<double>(), mask); }
-constexpr bool any_likely(Mask /*of_most*/) { return true; }
+HWY_INLINE bool any_likely(Mask /*of_most*/) { return true; }
 
 HWY_INLINE Real fabs(Real v) { return hn::Abs(v); }
 HWY_INLINE Real sqrt(Real v) { return hn::Sqrt(v); }
