@@ -15,6 +15,7 @@
 #include <graze/io/log/query_log.hpp>
 #include <graze/io/recorded_scene.hpp>
 #include <graze/io/shape_numbers.hpp>
+#include <graze/shape/fields/description.hpp>
 
 namespace graze::io {
 namespace {
@@ -24,7 +25,7 @@ template <Dim N, class T>
 void give(LoggedCall<N>& call, const AnyShape<N, T>& shape) {
   const std::string_view fault = defect(shape);
   if (!fault.empty()) {
-    call.fault = fmt::format("a {} {}", type_name<N, T>(shape), fault);
+    call.fault = fmt::format("{} {}", graze::detail::with_article(type_name<N, T>(shape)), fault);
   } else {
     call.shapes.push_back(with_numbers<double, N, T>(shape));
   }
@@ -71,14 +72,21 @@ bool needs_plan_of_ids(const Scene<N, T>& scene) {
 template <Dim N, class T>
 RecordedScene<N, T>::RecordedScene(std::ostream& log, Scene<N, T>* scene)
     : scene_(scene == nullptr ? &own_ : scene), log_(&log) {
+  const SceneEvents& last = scene_->events();
+  std::vector<ObjectPair> touching;
+  std::merge(last.began.begin(), last.began.end(), last.stayed.begin(), last.stayed.end(),
+             std::back_inserter(touching));
+  if (!touching.empty() && touching != scene_->pairs()) {
+    throw std::logic_error("RecordedScene: the scene has changed since its last update; update it before");
+  }
   *log_ << log_head(N, number_type_of<T>) << '\n';
-  write_past();
+  write_past(touching);
   log_->flush();
 }
 
-/// The calls that recreate the scene.
+/// The calls that recreate the scene, which has these touching pairs since its last update.
 template <Dim N, class T>
-void RecordedScene<N, T>::write_past() {
+void RecordedScene<N, T>::write_past(const std::vector<ObjectPair>& touching) {
   const std::vector<ObjectId> ids = scene_->ids();
   const std::vector<ObjectId> vacant = scene_->vacant_ids();
   if (!ids.empty()) ids_.learn_from(ids.front());
@@ -105,14 +113,7 @@ void RecordedScene<N, T>::write_past() {
   for (const auto& [a, b] : scene_->excepted_pairs()) {
     note({.kind = CallKind::except, .ids = {ids_.logged(a), ids_.logged(b)}}, {});
   }
-  const SceneEvents& last = scene_->events();
-  std::vector<ObjectPair> touching;
-  std::merge(last.began.begin(), last.began.end(), last.stayed.begin(), last.stayed.end(),
-             std::back_inserter(touching));
   if (touching.empty()) return;
-  if (touching != scene_->pairs()) {
-    throw std::logic_error("RecordedScene: the scene has changed since its last update; update it before");
-  }
   note({.kind = CallKind::update}, logged(SceneEvents{touching, {}, {}}));
 }
 

@@ -45,8 +45,8 @@ class GRAZE_EXPORT RecordedScene {
   explicit RecordedScene(std::ostream& log) : RecordedScene(log, nullptr) {}
 
   /// Starts a log with the current state of a scene, which must outlive this object: its later calls are recorded if
-  /// they are made here. Throws std::logic_error if the scene has changed since its last update, because the log could
-  /// not reproduce its next events.
+  /// they are made here. Throws std::logic_error, before it writes anything, if the touching pairs have changed since
+  /// the last update, because the log could not reproduce the next events.
   RecordedScene(std::ostream& log, Scene<N, T>& scene) : RecordedScene(log, &scene) {}
 
   RecordedScene(const RecordedScene&) = delete;
@@ -185,7 +185,7 @@ class GRAZE_EXPORT RecordedScene {
   decltype(auto) record(const LoggedCall<N>& call, const Act& act) const;
   void write(const LoggedCall<N>& call) const;
   void write(const LoggedAnswer& answer) const;
-  void write_past();
+  void write_past(const std::vector<ObjectPair>& touching);
 
   Scene<N, T> own_;
   Scene<N, T>* scene_;

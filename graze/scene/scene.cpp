@@ -14,6 +14,7 @@
 #include <graze/broad/orthtree/cell_kernels.hpp>
 #include <graze/query/bounds.hpp>
 #include <graze/scene/scene.hpp>
+#include <graze/shape/fields/description.hpp>
 
 namespace graze {
 namespace {
@@ -26,7 +27,7 @@ std::string named(const std::string& name) { return name.empty() ? "the object" 
 
 template <Dim N, class T>
 [[noreturn]] void refuse(const AnyShape<N, T>& shape, std::string_view fault, const std::string& name) {
-  throw std::invalid_argument("Scene: " + named(name) + ", a " + std::string(type_name<N, T>(shape)) + ", " +
+  throw std::invalid_argument("Scene: " + named(name) + ", " + detail::with_article(type_name<N, T>(shape)) + ", " +
                               std::string(fault));
 }
 

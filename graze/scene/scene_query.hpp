@@ -12,6 +12,7 @@
 #include <graze/scene/filter.hpp>
 #include <graze/scene/object.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/description.hpp>
 
 namespace graze {
 
@@ -48,7 +49,7 @@ inline bool admits(const SceneQuery& query, const ObjectId& id, Layer layer) {
 /// Throws std::invalid_argument if there is a fault in what a query was given: "Scene: the region, a sphere, has ...".
 inline void refuse_fault(std::string_view role, std::string_view type, std::string_view fault) {
   if (fault.empty()) return;
-  throw std::invalid_argument("Scene: the " + std::string(role) + ", a " + std::string(type) + ", " +
+  throw std::invalid_argument("Scene: the " + std::string(role) + ", " + with_article(type) + ", " +
                               std::string(fault));
 }
 

@@ -16,6 +16,7 @@
 #include <graze/query/transformed.hpp>
 #include <graze/scene/slide.hpp>
 #include <graze/shape/fields/defect.hpp>
+#include <graze/shape/fields/description.hpp>
 
 namespace graze {
 namespace {
@@ -278,8 +279,8 @@ Slide<N, T> slide(const SceneView<N, T>& scene, const std::type_identity_t<AnySh
                   const std::type_identity_t<Vec<N, T>>& motion, const SlideOptions& options) {
   const std::string_view fault = defect(shape);
   if (!fault.empty())
-    require_of_slide(false,
-                     ("the shape, a " + std::string(type_name<N, T>(shape)) + ", " + std::string(fault)).c_str());
+    require_of_slide(
+        false, ("the shape, " + detail::with_article(type_name<N, T>(shape)) + ", " + std::string(fault)).c_str());
   require_of_slide(is_finite(motion), "the motion has a number that is not finite");
   require_of_slide(is_length(options.clearance), "the clearance is negative or not finite");
   require_of_slide(is_length(options.step_height), "the step height is negative or not finite");

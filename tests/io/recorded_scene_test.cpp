@@ -205,6 +205,7 @@ TEST(RecordedScene, RefusesASceneWhoseNextEventsALogCouldNotTell) {
   before.move(a, Ball{{9, 9}, 1});
   std::ostringstream log;
   EXPECT_THROW(World(log, before), std::logic_error);
+  EXPECT_EQ(log.str(), "");
   EXPECT_EQ(before.update().ended.size(), 1U);
 }
 

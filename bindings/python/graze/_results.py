@@ -139,7 +139,8 @@ class MeshHit(NamedTuple):
 
 @_result
 class RayHits(NamedTuple):
-    """The hits of many rays, one row each: t is infinite and face -1 for a ray that misses."""
+    """The hits of many rays, one row each. t is infinite for a ray that misses; face is -1 for it, and for one that starts
+    inside a solid."""
 
     t: np.ndarray
     point: np.ndarray

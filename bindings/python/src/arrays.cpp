@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <pybind11/stl.h>
 
 #include "keys.hpp"
 
@@ -100,6 +101,11 @@ std::size_t first_not_finite(const T* numbers, std::size_t count) {
       std::find_if(numbers, numbers + count, [](T number) { return !std::isfinite(number); }) - numbers);
 }
 
+bool has_shape(const py::array& array, std::span<const std::size_t> sizes) {
+  return std::equal(sizes.begin(), sizes.end(), array.shape(), array.shape() + array.ndim(),
+                    [](std::size_t needed, py::ssize_t given) { return std::cmp_equal(needed, given); });
+}
+
 }  // namespace
 
 Rows rows_of(Argument argument, py::handle value, std::initializer_list<std::size_t> columns, bool is_double) {
@@ -131,11 +137,32 @@ void require_finite(Argument argument, const Rows& rows) {
       fmt::format("{} has a number that is not finite in row {}", argument.text(), first / rows.columns));
 }
 
+bool has_rows(py::handle value) {
+  if (py::isinstance<py::array>(value)) return py::reinterpret_borrow<py::array>(value).ndim() == 2;
+  if (PySequence_Check(value.ptr()) == 0) return false;
+  const auto first = py::reinterpret_steal<py::object>(PySequence_GetItem(value.ptr(), 0));
+  if (!first) PyErr_Clear();
+  return first && PySequence_Check(first.ptr()) != 0 && PyUnicode_Check(first.ptr()) == 0;
+}
+
+bool is_empty_sequence(py::handle value) {
+  if (py::isinstance<py::array>(value) || PySequence_Check(value.ptr()) == 0) return false;
+  const py::ssize_t size = PySequence_Size(value.ptr());
+  if (size < 0) throw py::error_already_set();
+  return size == 0;
+}
+
 template <class T>
-py::array numbers_of(Argument argument, py::handle value, std::span<const std::size_t> sizes) {
-  const py::array array = any_array(argument, value);
-  if (!std::equal(sizes.begin(), sizes.end(), array.shape(), array.shape() + array.ndim(),
-                  [](std::size_t needed, py::ssize_t given) { return std::cmp_equal(needed, given); })) {
+py::array numbers_of(Argument argument, py::handle value, std::span<const std::size_t> sizes, Rowwise rowwise) {
+  const bool may_be_one = rowwise == Rowwise::or_one_for_all;
+  const bool is_number = PyFloat_Check(value.ptr()) != 0 || PyLong_Check(value.ptr()) != 0;
+  const py::module_ numpy = py::module_::import("numpy");
+  py::array array = may_be_one && is_number ? py::array(numpy.attr("asarray")(number_of(argument, value)))
+                                            : any_array(argument, value);
+  if (may_be_one && has_shape(array, sizes.subspan(1))) {
+    array = numpy.attr("broadcast_to")(array, py::tuple(py::cast(std::vector(sizes.begin(), sizes.end()))));
+  }
+  if (!has_shape(array, sizes)) {
     throw py::value_error(fmt::format("{} has shape {}; ({}{}) is needed", argument.text(), shape_text(array),
                                       fmt::join(sizes, ", "), sizes.size() == 1 ? "," : ""));
   }
@@ -212,7 +239,7 @@ PairRows::PairRows(Argument argument, py::handle value) {
   pairs_ = copied_;
 }
 
-std::uint64_t packed_of(Argument argument, py::handle value) {
+std::optional<std::uint64_t> packed_if_possible(Argument argument, py::handle value) {
   const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
   if (!index) {
     PyErr_Clear();
@@ -220,12 +247,15 @@ std::uint64_t packed_of(Argument argument, py::handle value) {
         fmt::format("{} is a {}; an integer is needed", argument.text(), Py_TYPE(value.ptr())->tp_name));
   }
   const unsigned long long number = PyLong_AsUnsignedLongLong(index.ptr());
-  if (PyErr_Occurred() != nullptr) {
-    PyErr_Clear();
-    throw py::index_error(
-        fmt::format("{} is {}, which was never given out", argument.text(), std::string(py::str(index))));
-  }
-  return number;
+  if (PyErr_Occurred() == nullptr) return number;
+  PyErr_Clear();
+  return std::nullopt;
+}
+
+std::uint64_t packed_of(Argument argument, py::handle value) {
+  if (const auto number = packed_if_possible(argument, value)) return *number;
+  throw py::index_error(
+      fmt::format("{} is {}, which was never given out", argument.text(), std::string(py::str(value))));
 }
 
 PackedNumbers::PackedNumbers(Argument argument, py::handle value) {
@@ -296,8 +326,8 @@ Mat<N, T> matrix_of(Argument argument, py::handle value) {
   return matrix;
 }
 
-template py::array numbers_of<float>(Argument, py::handle, std::span<const std::size_t>);
-template py::array numbers_of<double>(Argument, py::handle, std::span<const std::size_t>);
+template py::array numbers_of<float>(Argument, py::handle, std::span<const std::size_t>, Rowwise);
+template py::array numbers_of<double>(Argument, py::handle, std::span<const std::size_t>, Rowwise);
 #define GRAZE_PYTHON_ARRAYS(N, T)                                        \
   template std::vector<Vec<N, T>> points_of<N, T>(Argument, py::handle); \
   template Vec<N, T> vector_of<N, T>(Argument, py::handle);              \

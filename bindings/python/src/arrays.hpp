@@ -56,9 +56,19 @@ Rows rows_of(Argument argument, py::handle value, std::initializer_list<std::siz
 /// The same of a number type and a number of columns that another argument has determined.
 Rows rows_in(Argument argument, py::handle value, std::size_t columns, World world, std::string_view other);
 
-/// An array of numbers of any type as a contiguous one of T. Throws ValueError unless its axes have these lengths.
+/// Whether this is an array with two axes, or a sequence whose first element is one, too.
+bool has_rows(py::handle value);
+
+/// Whether this is a list or other sequence, not an array, without elements.
+bool is_empty_sequence(py::handle value);
+
+enum class Rowwise : std::uint8_t { always, or_one_for_all };
+
+/// An array of numbers of any type as a contiguous one of T. Throws ValueError unless its axes have these lengths, or,
+/// if that is allowed, those but the first: then every row is the same.
 template <class T>
-py::array numbers_of(Argument argument, py::handle value, std::span<const std::size_t> sizes);
+py::array numbers_of(Argument argument, py::handle value, std::span<const std::size_t> sizes,
+                     Rowwise rowwise = Rowwise::always);
 
 /// Points of any number type, converted to T.
 template <Dim N, class T>

@@ -119,9 +119,9 @@ py::list texts_of(const std::vector<io::Omission>& omissions) {
 }
 
 std::filesystem::path path_of(const py::object& path) {
-  const auto text = py::reinterpret_steal<py::object>(PyOS_FSPath(path.ptr()));
-  if (!text) throw py::error_already_set();
-  return PyBytes_Check(text.ptr()) != 0 ? std::string(py::bytes(text)) : text.cast<std::string>();
+  PyObject* bytes = nullptr;
+  if (PyUnicode_FSConverter(path.ptr(), static_cast<void*>(&bytes)) == 0) throw py::error_already_set();
+  return std::string(py::reinterpret_steal<py::bytes>(bytes));
 }
 
 std::string svg_of(const HeldScene& scene) { return drawn(file_of(scene)); }

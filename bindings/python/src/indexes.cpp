@@ -91,7 +91,7 @@ struct Methods {
   template <Dim N, class T>
   static Aabb<N, T> box_of(const py::object& value) {
     const std::array<std::size_t, 1> sizes = {2 * static_cast<std::size_t>(N)};
-    const py::array numbers = numbers_of<T>({"box", "box"}, value, sizes);
+    const py::array numbers = numbers_of<T>({"index", "box"}, value, sizes);
     return *static_cast<const Aabb<N, T>*>(numbers.data());
   }
 
@@ -179,7 +179,9 @@ struct Methods {
   }
 
   static bool contains(const Held& held, const py::object& number) {
-    const Key key = unpacked<Key>(packed_of({"contains", "key"}, number), held.owner);
+    const std::optional<std::uint64_t> packed_key = packed_if_possible({"contains", "key"}, number);
+    if (!packed_key) return false;
+    const Key key = unpacked<Key>(*packed_key, held.owner);
     return read(held, [&](const auto& index) { return index.contains(key); });
   }
 
@@ -203,15 +205,11 @@ struct Methods {
   static py::array query(const Held& held, const HeldShape& region) {
     return std::visit(
         [&]<Dim N, class T>(const Index<N, T>& index) {
-          const auto* const shape = std::get_if<AnyShape<N, T>>(&region.any);
-          if (shape == nullptr) {
-            throw py::value_error(fmt::format("query: region is {}, the index in {}D of {}", described(region), N,
-                                              name_of_numbers(In<N, T>::world)));
-          }
+          const AnyShape<N, T>& shape = shape_in<N, T>("query: region is", region, "the index");
           std::vector<Key> keys = without_gil([&] {
             const std::shared_lock lock(*held.lock);
             std::vector<Key> found;
-            index.query(*shape, [&found](const Key& key) { found.push_back(key); });
+            index.query(shape, [&found](const Key& key) { found.push_back(key); });
             std::sort(found.begin(), found.end());
             return found;
           });

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -35,6 +36,9 @@ Name unpacked(std::uint64_t number, std::uint32_t owner) {
 
 /// Throws TypeError for what is not an integer, IndexError for one that cannot be a key.
 std::uint64_t packed_of(Argument argument, py::handle value);
+
+/// The same, but none for an integer that cannot be a key.
+std::optional<std::uint64_t> packed_if_possible(Argument argument, py::handle value);
 
 /// The same of an array of uint64, which it keeps, or of another sequence of integers.
 class PackedNumbers {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <glm/matrix.hpp>
 
 #include <graze/io/input_error.hpp>
 #include <graze/io/output_error.hpp>
@@ -79,6 +80,11 @@ Pose<N, T> pose_of(Argument argument, py::handle value) {
   if (!(orthonormal_error(pose.rotation) <= tolerance::orthonormal)) {
     throw py::value_error(argument.text() +
                           " has a rotation whose columns are not orthonormal (unit length, at right angles)");
+  }
+  if (glm::determinant(pose.rotation) < 0) {
+    throw py::value_error(argument.text() +
+                          " has a reflection instead of a rotation; to mirror a mesh, mirror its "
+                          "vertices and reverse the order in its faces");
   }
   return pose;
 }

@@ -115,7 +115,7 @@ void add_intersects(py::module_& module) {
 template <class Number, class Ask>
 py::object ask_points(const char* function, const HeldShape& shape, const py::object& points, const py::object& threads,
                       const Ask& ask) {
-  const bool are_many = py::isinstance<py::array>(points) && py::reinterpret_borrow<py::array>(points).ndim() == 2;
+  const bool are_many = has_rows(points);
   return on_shape(shape, [&]<Dim N, class T>(const AnyShape<N, T>& any) -> py::object {
     if (!are_many) {
       const auto point = point_of<N, T>({function, "point"}, points);

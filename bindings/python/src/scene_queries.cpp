@@ -68,7 +68,7 @@ struct QueryWords {
              bool ignore_initial_touch = false) {
     const std::vector<std::string> names = read(held, [](const auto& view) { return view.layer_names(); });
     ids = PackedNumbers({function, "excluding"}, excluding).names<ObjectId>(held.owner);
-    query.layers = mask_of(function, layers, names);
+    query.layers = mask_of({function, "layers"}, layers, names);
     query.except = ids;
     query.ignore_initial_touch = ignore_initial_touch;
   }
@@ -81,7 +81,7 @@ struct QueryWords {
 
 template <Dim N, class T>
 const Ray<N, T>& ray_in(const char* function, const HeldShape& shape) {
-  const auto* const ray = std::get_if<Ray<N, T>>(&shape_in<N, T>(function, shape));
+  const auto* const ray = std::get_if<Ray<N, T>>(&shape_in_scene<N, T>(function, shape));
   if (ray == nullptr) throw py::type_error(fmt::format("{}: ray is {}; a Ray is needed", function, described(shape)));
   return *ray;
 }
@@ -146,8 +146,11 @@ struct Queries {
     return id ? py::object(py::int_(packed(*id))) : py::object(py::none());
   }
 
+  /// False for a number that cannot be an id.
   static bool contains(const Held& held, const py::object& number) {
-    const ObjectId id = id_of("contains", number, held.owner);
+    const std::optional<std::uint64_t> packed_id = packed_if_possible({"contains", "id"}, number);
+    if (!packed_id) return false;
+    const auto id = unpacked<ObjectId>(*packed_id, held.owner);
     return read(held, [&](const auto& view) { return view.contains(id); });
   }
 
@@ -206,7 +209,7 @@ struct Queries {
                                const py::object& excluding) {
     const QueryWords words("overlapping", held, layers, excluding);
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) {
-      const AnyShape<N, T>& shape = shape_in<N, T>("overlapping", region);
+      const AnyShape<N, T>& shape = shape_in_scene<N, T>("overlapping", region);
       return array_of_names<ObjectId>(
           read_in<N, T>(held, [&](const auto& view) { return view.overlapping(shape, words.query); }));
     });
@@ -216,7 +219,7 @@ struct Queries {
                         const py::object& excluding) {
     const QueryWords words("cull", held, layers, excluding);
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) {
-      const AnyShape<N, T>& shape = shape_in<N, T>("cull", region);
+      const AnyShape<N, T>& shape = shape_in_scene<N, T>("cull", region);
       return array_of_names<ObjectId>(
           read_in<N, T>(held, [&](const auto& view) { return view.cull(shape, words.query); }));
     });
@@ -226,7 +229,7 @@ struct Queries {
                                 const py::object& excluding) {
     const QueryWords words("contacts_with", held, layers, excluding);
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) {
-      const AnyShape<N, T>& shape = shape_in<N, T>("contacts_with", given);
+      const AnyShape<N, T>& shape = shape_in_scene<N, T>("contacts_with", given);
       const auto found = read_in<N, T>(held, [&](const auto& view) { return view.contacts_with(shape, words.query); });
       return python_list(found, [](const auto& touch) { return python_touch(touch); });
     });
@@ -239,7 +242,7 @@ struct Queries {
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) {
       std::vector<NearObject<T>> found;
       if (is_boxed<HeldShape>(from)) {
-        const AnyShape<N, T>& shape = shape_in<N, T>("nearest", unboxed<HeldShape>(from));
+        const AnyShape<N, T>& shape = shape_in_scene<N, T>("nearest", unboxed<HeldShape>(from));
         found = read_in<N, T>(held, [&](const auto& view) { return view.nearest(shape, count, words.query); });
       } else {
         const auto point = point_of<N, T>({"nearest", "point"}, from);
@@ -277,7 +280,7 @@ struct Queries {
                                const py::object& layers, const py::object& excluding, bool ignore_initial_touch) {
     const QueryWords words("shape_cast", held, layers, excluding, ignore_initial_touch);
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) -> py::object {
-      const AnyShape<N, T>& shape = shape_in<N, T>("shape_cast", given);
+      const AnyShape<N, T>& shape = shape_in_scene<N, T>("shape_cast", given);
       const auto way = point_of<N, T>({"shape_cast", "motion"}, motion);
       const auto found =
           read_in<N, T>(held, [&](const auto& view) { return view.shape_cast(shape, way, words.query); });
@@ -289,7 +292,7 @@ struct Queries {
                                  const py::object& layers, const py::object& excluding, bool ignore_initial_touch) {
     const QueryWords words("shape_cast_all", held, layers, excluding, ignore_initial_touch);
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) {
-      const AnyShape<N, T>& shape = shape_in<N, T>("shape_cast_all", given);
+      const AnyShape<N, T>& shape = shape_in_scene<N, T>("shape_cast_all", given);
       const auto way = point_of<N, T>({"shape_cast_all", "motion"}, motion);
       const auto found =
           read_in<N, T>(held, [&](const auto& view) { return view.shape_cast_all(shape, way, words.query); });
@@ -301,7 +304,7 @@ struct Queries {
                                    const py::object& layers, const py::object& excluding) {
     const QueryWords words("time_of_impact", held, layers, excluding);
     return in_world_of(held, [&]<Dim N, class T>(In<N, T>) -> py::object {
-      const AnyShape<N, T>& shape = shape_in<N, T>("time_of_impact", given);
+      const AnyShape<N, T>& shape = shape_in_scene<N, T>("time_of_impact", given);
       const auto way = motion_of<N, T>({"time_of_impact", "motion"}, motion);
       const auto found =
           read_in<N, T>(held, [&](const auto& view) { return view.time_of_impact(shape, way, words.query); });
@@ -325,7 +328,7 @@ struct Queries {
         options.up = Vec<3, double>(0.0);
         for (Dim i = 0; i < N; ++i) options.up[i] = direction[i];
       }
-      const AnyShape<N, T>& shape = shape_in<N, T>("slide", given);
+      const AnyShape<N, T>& shape = shape_in_scene<N, T>("slide", given);
       const auto way = point_of<N, T>({"slide", "motion"}, motion);
       const Slide<N, T> found =
           read_in<N, T>(held, [&](const auto& view) { return slide<N, T>(unrecorded(view), shape, way, options); });
@@ -334,9 +337,19 @@ struct Queries {
     });
   }
 
+  static std::size_t size(const Held& held) {
+    return read(held, [](const auto& view) { return view.size(); });
+  }
+
   static void add_state(TypeMaker& maker) {
-    maker.method("__len__", [](const Held& held) { return read(held, [](const auto& view) { return view.size(); }); });
+    maker.method("__len__", &size);
     maker.method("__contains__", &contains, py::arg("id"));
+    maker.method("__repr__", [](const Held& held) {
+      return in_world_of(held, [&]<Dim N, class T>(In<N, T>) {
+        return fmt::format("<graze.{}: {} objects in {}D, {}>", BoxedName<Held>::name.text, size(held), N,
+                           name_of_numbers(In<N, T>::world));
+      });
+    });
     maker.method("object", &object, py::arg("id"), "The SceneObject with this id.");
     maker.method("find", &find, py::arg("name"), "The id of the object with this name, or None.");
     maker.method("ids", &ids, "All ids, ascending: (n,) of uint64.");

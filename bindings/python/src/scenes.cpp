@@ -36,13 +36,12 @@ py::object new_scene(const py::object& dimension, const py::object& dtype) {
                   []<Dim N, class T>(In<N, T>) { return python_scene<N, T>(Scene<N, T>()); });
 }
 
-/// Throws ValueError unless the shapes are of the scene's world.
+/// Throws ValueError or TypeError unless the shapes are of the scene's world.
 template <Dim N, class T>
-void require_world(const char* function, const py::object& shapes) {
-  const World world = world_of_shapes(function, shapes);
+void require_world(const std::string& function, const py::object& shapes) {
+  const World world = world_of_shapes(function.c_str(), shapes);
   if (world == In<N, T>::world) return;
-  throw py::value_error(fmt::format("{}: the shapes are in {}D of {}, the scene in {}D of {}", function,
-                                    world.dimension, name_of_numbers(world), N, name_of_numbers(In<N, T>::world)));
+  refuse_world(function + ": the shapes are", world, described(world), "the scene", In<N, T>::world);
 }
 
 /// Locks without keeping the GIL from others meanwhile. Whoever waits for the lock has let go of the GIL.
@@ -71,20 +70,20 @@ std::uint64_t unsigned_of(Argument argument, const py::object& value) {
 
 /// Creates a layer that is named and does not exist. Called with the scene to itself.
 template <class World>
-ObjectOptions options_of(World& scene, const ObjectWords& words) {
+ObjectOptions options_of(const char* function, World& scene, const ObjectWords& words) {
   ObjectOptions options;
   options.name = words.name;
-  options.mask = mask_of("add", words.mask, scene.layer_names());
-  options.user = unsigned_of({"add", "user"}, words.user);
+  options.user = unsigned_of({function, "user"}, words.user);
   options.mobility = words.fixed ? Mobility::fixed : Mobility::moving;
   if (PyUnicode_Check(words.layer.ptr()) != 0) {
     options.layer = scene.layer(words.layer.cast<std::string>());
-    return options;
+  } else {
+    const std::uint64_t layer = unsigned_of({function, "layer"}, words.layer);
+    if (layer >= max_layers)
+      throw py::value_error(fmt::format("{}: layer is {}; there are {} layers", function, layer, max_layers));
+    options.layer = static_cast<Layer>(layer);
   }
-  const std::uint64_t layer = unsigned_of({"add", "layer"}, words.layer);
-  if (layer >= max_layers)
-    throw py::value_error(fmt::format("add: layer is {}; there are {} layers", layer, max_layers));
-  options.layer = static_cast<Layer>(layer);
+  options.mask = mask_of({function, "mask"}, words.mask, scene.layer_names());
   return options;
 }
 
@@ -93,9 +92,12 @@ std::uint64_t add_object(HeldScene& held, const HeldShape& shape, const std::str
   const ObjectWords words{name, layer, mask, user, fixed};
   return std::visit(
       [&]<Dim N, class T>(LoggedScene<N, T>& logged) {
-        const AnyShape<N, T>& any = shape_in<N, T>("add", shape);
+        const AnyShape<N, T>& any = shape_in_scene<N, T>("add", shape);
         const auto lock = locked_with_gil(*held.lock);
-        const ObjectId id = logged.visit([&](auto& scene) { return scene.add(any, options_of(scene, words)); });
+        const ObjectId id = logged.visit([&](auto& scene) {
+          ObjectOptions options = options_of("add", scene, words);
+          return without_gil_if(logged.log != nullptr, [&] { return scene.add(any, std::move(options)); });
+        });
         held.owner = id.owner;
         return packed(id);
       },
@@ -107,14 +109,18 @@ py::array add_objects(HeldScene& held, const py::object& shapes, const py::objec
   const ObjectWords words{"", layer, mask, py::int_(0), fixed};
   return std::visit(
       [&]<Dim N, class T>(LoggedScene<N, T>& logged) {
+        if (is_empty_sequence(shapes)) return array_of_names<ObjectId>(std::vector<ObjectId>());
         require_world<N, T>("add_many", shapes);
         const ShapeSequence<N, T> all("add_many", shapes);
         const auto lock = locked_with_gil(*held.lock);
         const std::vector<ObjectId> ids = logged.visit([&](auto& scene) {
-          const ObjectOptions options = options_of(scene, words);
-          std::vector<ObjectId> added;
-          for (const AnyShape<N, T>& shape : all.any()) added.push_back(scene.add(shape, options));
-          return added;
+          const ObjectOptions options = options_of("add_many", scene, words);
+          const std::span<const AnyShape<N, T>> added = all.any();
+          return without_gil([&] {
+            std::vector<ObjectId> result;
+            for (const AnyShape<N, T>& shape : added) result.push_back(scene.add(shape, options));
+            return result;
+          });
         });
         if (!ids.empty()) held.owner = ids.front().owner;
         return array_of_names<ObjectId>(ids);
@@ -126,9 +132,9 @@ void move_object(HeldScene& held, const py::object& number, const HeldShape& sha
   const ObjectId id = id_of("move", number, held.owner);
   std::visit(
       [&]<Dim N, class T>(LoggedScene<N, T>& logged) {
-        const AnyShape<N, T>& any = shape_in<N, T>("move", shape);
+        const AnyShape<N, T>& any = shape_in_scene<N, T>("move", shape);
         const auto lock = locked_with_gil(*held.lock);
-        logged.visit([&](auto& scene) { scene.move(id, any); });
+        logged.visit([&](auto& scene) { without_gil_if(logged.log != nullptr, [&] { scene.move(id, any); }); });
       },
       held.any);
 }
@@ -166,8 +172,7 @@ void move_objects(HeldScene& held, const py::object& numbers, const py::object& 
           });
           return;
         }
-        if (ids.empty() && !is_boxed<HeldShapes>(shapes) && PySequence_Check(shapes.ptr()) != 0 && py::len(shapes) == 0)
-          return;
+        if (ids.empty() && is_empty_sequence(shapes)) return;
         require_world<N, T>("move_many", shapes);
         const ShapeSequence<N, T> all("move_many", shapes);
         require_count(all.list().size());
@@ -225,7 +230,14 @@ py::object update_scene(HeldScene& held, const py::object& threads) {
 }
 
 py::object events_of(HeldScene& held) {
-  return python_events(change(held, [](auto& scene) { return EventPairs(scene.events()); }));
+  return python_events(std::visit(
+      [&](const auto& logged) {
+        return without_gil([&] {
+          const std::shared_lock lock(*held.lock);
+          return EventPairs(logged.scene.events());
+        });
+      },
+      held.any));
 }
 
 py::object snapshot_of(HeldScene& held) {
@@ -238,12 +250,6 @@ py::object snapshot_of(HeldScene& held) {
         return boxed(HeldView{std::move(snapshot), held.owner});
       },
       held.any);
-}
-
-std::ofstream opened(const std::filesystem::path& path) {
-  std::ofstream file(path, std::ios::binary);
-  if (!file) throw io::OutputError(path.string() + ": cannot be opened: " + std::generic_category().message(errno));
-  return file;
 }
 
 void start_recording(HeldScene& held, const py::object& path) {
@@ -275,31 +281,30 @@ void stop_recording(HeldScene& held) {
 
 template <Dim N, class T>
 SceneLog<N, T>::SceneLog(const std::filesystem::path& path, Scene<N, T>& scene)
-    : path_(path), file_(opened(path)), scene_(file_, scene) {
+    : path_(path), stream_(&start_), scene_(stream_, scene) {
+  if (!file_.open(path, std::ios::out | std::ios::binary)) {
+    throw io::OutputError(path.string() + ": cannot be opened: " + std::generic_category().message(errno));
+  }
+  stream_.rdbuf(&file_);
+  stream_ << start_.str() << std::flush;
+  start_.str("");
   require_written();
-}
-
-template <Dim N, class T>
-io::RecordedScene<N, T>& SceneLog<N, T>::scene() {
-  require_written();
-  return scene_;
 }
 
 template <Dim N, class T>
 void SceneLog<N, T>::finish() {
-  file_.close();
+  if (!file_.close()) stream_.setstate(std::ios::failbit);
   require_written();
 }
 
 template <Dim N, class T>
 void SceneLog<N, T>::require_written() const {
-  if (file_) return;
+  if (stream_) return;
   throw io::OutputError(path_.string() + ": the log cannot be written; stop_recording() ends it");
 }
 
-LayerMask mask_of(const char* function, py::handle value, const std::vector<std::string>& names) {
+LayerMask mask_of(Argument argument, py::handle value, const std::vector<std::string>& names) {
   if (value.is_none()) return all_layers;
-  const Argument argument{function, "layers"};
   if (PyLong_Check(value.ptr()) != 0) return unsigned_of(argument, py::reinterpret_borrow<py::object>(value));
   if (PySequence_Check(value.ptr()) == 0 || PyUnicode_Check(value.ptr()) != 0) {
     throw py::type_error(fmt::format("{} is a {}; None, a mask, or a sequence of names and numbers is needed",
@@ -363,9 +368,10 @@ void add_scenes(py::module_& module) {
                "Finds the pairs that touch now, and how they changed since the last update: SceneEvents.");
   scene.property("events", &events_of, "The events of the last update.");
   scene.method("snapshot", &snapshot_of, "A read-only copy, for readers that keep it while the scene continues.");
-  scene.method("record", &start_recording, py::arg("path"),
-               "Writes this scene's calls and their answers to a query log (docs/query_log.md) from now on. Fails if "
-               "the scene has changed since its last update.");
+  scene.method(
+      "record", &start_recording, py::arg("path"),
+      "Writes this scene's calls and their answers from now on to a file, which it replaces: a query log "
+      "(docs/query_log.md). Fails if other pairs touch than at the last update, and if a log is being written.");
   scene.method("stop_recording", &stop_recording, "Ends the log of `record`, if there is one.");
   scene.method("_repr_svg_", &svg_of, "A picture of the scene, its touching pairs highlighted.");
   scene.method(

@@ -7,7 +7,9 @@
 #include <fstream>
 #include <memory>
 #include <mutex>
+#include <ostream>
 #include <shared_mutex>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,28 +36,36 @@ class SceneLog {
   /// Throws OutputError if the file cannot be written, and what RecordedScene throws.
   SceneLog(const std::filesystem::path& path, Scene<N, T>& scene);
 
-  /// The scene with its calls recorded. Throws OutputError if the last call could not be written.
-  io::RecordedScene<N, T>& scene();
+  /// The scene with its calls recorded.
+  io::RecordedScene<N, T>& scene() { return scene_; }
+
+  /// Throws OutputError if the calls before could not be written.
+  void require_written() const;
 
   /// Throws OutputError if not all is written.
   void finish();
 
  private:
-  void require_written() const;
-
   std::filesystem::path path_;
-  std::ofstream file_;
+  std::stringbuf start_;  ///< What precedes the file, which is not touched if the scene cannot be recorded.
+  std::filebuf file_;
+  std::ostream stream_;
   io::RecordedScene<N, T> scene_;
 };
 
 /// A scene that can write its calls to a log. It must not be moved while it does.
 template <Dim N, class T>
 struct LoggedScene {
-  /// use(scene), of a Scene<N, T>, or of a RecordedScene<N, T> while there is a log.
+  /// use(scene), of a Scene<N, T>, or of a RecordedScene<N, T> while there is a log. Throws OutputError if that could
+  /// not be written.
   template <class Use>
   decltype(auto) visit(const Use& use) {
-    return log ? use(log->scene()) : use(scene);
+    if (!log) return use(scene);
+    log->require_written();
+    return use(log->scene());
   }
+
+  /// The same for queries, which are answered even if their log cannot be written.
   template <class Use>
   decltype(auto) visit(const Use& use) const {
     return log ? use(std::as_const(log->scene())) : use(static_cast<const SceneView<N, T>&>(scene));
@@ -105,12 +115,8 @@ py::object python_scene(Scene<N, T> scene);
 
 /// A shape as one of the scene's world. Throws ValueError for another dimension, TypeError for another dtype.
 template <Dim N, class T>
-const AnyShape<N, T>& shape_in(const char* function, const HeldShape& shape) {
-  if (const auto* const any = std::get_if<AnyShape<N, T>>(&shape.any)) return *any;
-  const std::string facts = fmt::format("{}: shape is {}, the scene in {}D of {}", function, described(shape), N,
-                                        name_of_numbers(In<N, T>::world));
-  if (world_of(shape).dimension != N) throw py::value_error(facts);
-  throw py::type_error(facts + ": use astype");
+const AnyShape<N, T>& shape_in_scene(std::string_view function, const HeldShape& shape) {
+  return shape_in<N, T>(std::string(function) + ": shape is", shape, "the scene");
 }
 
 /// An id from Python.
@@ -120,7 +126,7 @@ inline ObjectId id_of(std::string_view function, py::handle value, std::uint32_t
 
 /// A set of layers: None for all, a mask, or a sequence of names and numbers. Throws ValueError for a name that is not
 /// among those of the scene.
-LayerMask mask_of(const char* function, py::handle value, const std::vector<std::string>& names);
+LayerMask mask_of(Argument argument, py::handle value, const std::vector<std::string>& names);
 
 /// Adds the queries that scenes and snapshots have in common.
 void add_scene_queries(TypeMaker& scene, TypeMaker& view);

@@ -14,6 +14,7 @@
 #include <graze/shape/fields/shape_order.hpp>
 
 #include "files.hpp"
+#include "module.hpp"
 #include "shape_fields.hpp"
 
 namespace graze::python {
@@ -219,8 +220,13 @@ void add_shape_type(py::module_& module, std::size_t alternative) {
 
 // ---- Shapes
 
-py::object shapes_from(const py::object& sequence) {
+py::object shapes_from(const py::object& sequence, const py::object& dimension, const py::object& dtype) {
   if (is_boxed<HeldShapes>(sequence)) return sequence;
+  if (is_empty_sequence(sequence) && !dimension.is_none()) {
+    return in_world(world_of_words("Shapes", dimension, dtype), []<Dim N, class T>(In<N, T>) {
+      return boxed(HeldShapes{ShapeList<N, T>(std::vector<AnyShape<N, T>>())});
+    });
+  }
   return in_world(world_of_shapes("Shapes", sequence), [&]<Dim N, class T>(In<N, T>) {
     return boxed(HeldShapes{ShapeList<N, T>(shapes_of<N, T>("Shapes", sequence))});
   });
@@ -247,16 +253,21 @@ World world_of(const HeldShapes& shapes) {
 }
 
 void add_shape_list(py::module_& module) {
-  TypeMaker maker = TypeMaker::of<HeldShapes>(module, "graze.Shapes",
-                                              "Shapes(shapes)\n--\n\nAn immutable sequence of shapes of one dimension "
-                                              "and dtype, which batches read without a copy. "
-                                              "Types like Sphere make one from arrays: Sphere.many(centers, radii).");
-  maker.constructor(&shapes_from, py::arg("shapes"));
+  TypeMaker maker = TypeMaker::of<HeldShapes>(
+      module, "graze.Shapes",
+      "Shapes(shapes, dimension=None, dtype=numpy.float64)\n--\n\nAn immutable sequence of shapes of one dimension "
+      "and dtype, which batches read without a copy. "
+      "Types like Sphere make one from arrays: Sphere.many(centers, radii).");
+  maker.constructor(&shapes_from, py::arg("shapes"), py::arg("dimension") = py::none(), py::arg("dtype") = py::none());
   maker.method("__len__", &size_of);
   maker.method("__getitem__", &element_of, py::arg("index"));
   maker.method("__reduce__", [](const py::object& self) {
-    return py::make_tuple(py::handle(reinterpret_cast<PyObject*>(boxed_type<HeldShapes>)),
-                          py::make_tuple(py::list(self)));
+    const HeldShapes& shapes = unboxed<HeldShapes>(self);
+    const World world = world_of(shapes);
+    const py::handle type = reinterpret_cast<PyObject*>(boxed_type<HeldShapes>);
+    if (size_of(shapes) > 0) return py::make_tuple(type, py::make_tuple(py::list(self)));
+    return py::make_tuple(type,
+                          py::make_tuple(py::list(), world.dimension, py::dtype(std::string(name_of_numbers(world)))));
   });
   maker.method("__repr__", [](const HeldShapes& shapes) {
     const World world = world_of(shapes);
@@ -277,11 +288,11 @@ World world_of(const HeldShape& shape) {
   return on_shape(shape, []<Dim N, class T>(const AnyShape<N, T>&) { return In<N, T>::world; });
 }
 
+std::string described(World world) { return fmt::format("in {}D of {}", world.dimension, name_of_numbers(world)); }
+
 std::string described(const HeldShape& shape) {
-  const World world = world_of(shape);
   const std::string_view type = type_name_in_python(alternative_of(shape));
-  return fmt::format("{} {} in {}D of {}", type == "Aabb" || type == "Obb" ? "an" : "a", type, world.dimension,
-                     name_of_numbers(world));
+  return fmt::format("{} {} {}", type == "Aabb" || type == "Obb" ? "an" : "a", type, described(world_of(shape)));
 }
 
 std::string WayOut<HeldShape>::of(py::handle object) {
@@ -320,6 +331,13 @@ void refuse_pair(const char* function, const HeldShape& a, const HeldShape& b) {
     throw py::value_error(facts + "; both need the same dimension");
   }
   throw py::type_error(facts + "; both need the same dtype: use astype");
+}
+
+void refuse_world(std::string_view role, World given, std::string_view given_text, std::string_view other,
+                  World needed) {
+  const std::string facts = fmt::format("{} {}, {} {}", role, given_text, other, described(needed));
+  if (given.dimension != needed.dimension) throw py::value_error(facts);
+  throw py::type_error(facts + ": use astype");
 }
 
 World world_of_shapes(const char* function, py::handle sequence) {

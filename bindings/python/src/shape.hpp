@@ -67,6 +67,9 @@ struct WayOut<HeldShape> {
 /// The world of a shape.
 World world_of(const HeldShape& shape);
 
+/// "in 3D of float64"
+std::string described(World world);
+
 /// "a Sphere in 3D of float64"
 std::string described(const HeldShape& shape);
 
@@ -96,6 +99,18 @@ template <class Use>
 auto on_pair(const char* function, const HeldShape& a, const HeldShape& b, const Use& use) {
   if (a.any.index() != b.any.index()) refuse_pair(function, a, b);
   return std::visit([&]<class Any>(const Any& in_a) { return use(in_a, *std::get_if<Any>(&b.any)); }, a.any);
+}
+
+/// Throws because what was given, of a text such as "a Sphere in 3D of float32", is not of the world of `other`:
+/// ValueError for another dimension, TypeError for another dtype.
+[[noreturn]] void refuse_world(std::string_view role, World given, std::string_view given_text, std::string_view other,
+                               World needed);
+
+/// A shape as one of the world of `other`, such as "the scene". Throws ValueError and TypeError as above.
+template <Dim N, class T>
+const AnyShape<N, T>& shape_in(std::string_view role, const HeldShape& shape, std::string_view other) {
+  if (const auto* const any = std::get_if<AnyShape<N, T>>(&shape.any)) return *any;
+  refuse_world(role, world_of(shape), described(shape), other, In<N, T>::world);
 }
 
 template <class Use>

@@ -106,7 +106,7 @@ Dim size_of_vector(Argument argument, py::handle value) {
 
 // ---- Shapes from rows
 
-/// Writes the rows of an array to a field of each shape.
+/// Writes the rows of an array to a field of each shape, or one value to all.
 template <Dim N, class T, class S, class Access>
 void write_rows(Argument argument, py::handle value, std::vector<S>& shapes, const Access& access) {
   using Value = std::remove_cvref_t<decltype(access(shapes.front()))>;
@@ -114,7 +114,7 @@ void write_rows(Argument argument, py::handle value, std::vector<S>& shapes, con
   std::vector<std::size_t> sizes = {shapes.size()};
   if constexpr (std::is_same_v<Value, Vec<N, T>>) sizes = {shapes.size(), side};
   if constexpr (std::is_same_v<Value, Mat<N, T>>) sizes = {shapes.size(), side, side};
-  const py::array array = numbers_of<T>(argument, value, sizes);
+  const py::array array = numbers_of<T>(argument, value, sizes, Rowwise::or_one_for_all);
   const auto* row = static_cast<const Value*>(array.data());
   for (S& shape : shapes) {
     if constexpr (std::is_same_v<Value, Mat<N, T>>) {
@@ -312,9 +312,7 @@ World world_of_arguments(const FieldArguments& arguments, bool are_rows) {
   const std::span<const FieldName> fields = fields_by_type[arguments.alternative];
   const Argument first{type_name_in_python(arguments.alternative), fields.front().name};
   const py::handle value = arguments.values.front();
-  const bool is_empty =
-      PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::array>(value) && PySequence_Size(value.ptr()) == 0;
-  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+  const bool is_empty = is_empty_sequence(value);
   if (fields.front().kind == FieldKind::parts) {
     if (is_empty && arguments.dimension == 0) {
       throw py::value_error("Compound: parts is empty; then dimension=2 or dimension=3 is needed");

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Scenes, meshes and files."""
 
+import os
 import pathlib
 import tempfile
 import threading
@@ -154,16 +155,55 @@ class SceneTest(unittest.TestCase):
         scene.add(graze.Sphere([1, 0, 0], 1))
         scene.update()
         scene.move(ball, graze.Sphere([9, 0, 0], 1))
-        with tempfile.TemporaryDirectory() as folder, self.assertRaisesRegex(RuntimeError, "since its last update"):
-            scene.record(pathlib.Path(folder, "world.log"))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "world.log")
+            path.write_text("kept")
+            with self.assertRaisesRegex(RuntimeError, "since its last update"):
+                scene.record(path)
+            self.assertEqual(path.read_text(), "kept")
         if not pathlib.Path("/dev/full").exists():
             return
         with self.assertRaisesRegex(graze.OutputError, "/dev/full"):
             scene.update()
             scene.record("/dev/full")
-            scene.pairs()
-            scene.pairs()
-        self.assertEqual(len(scene.snapshot()), 2)
+            scene.update()
+        self.assertEqual(len(scene), 2)
+
+    def test_a_log_may_go_to_another_thread(self):
+        if not hasattr(os, "mkfifo"):
+            return
+        scene = graze.Scene()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "pipe")
+            os.mkfifo(path)
+            texts = []
+            reader = threading.Thread(target=lambda: texts.append(pathlib.Path(path).read_text()))
+            reader.start()
+            scene.record(path)
+            for i in range(2000):
+                scene.add(graze.Sphere([i, 0, 0], 1))
+            scene.stop_recording()
+            reader.join()
+        self.assertEqual(len(graze.scene_after(texts[0])), 2000)
+
+    def test_what_belongs_to_no_scene_is_told(self):
+        scene = graze.Scene()
+        floats = graze.Sphere.many([[0, 0, 0]], 1, dtype=np.float32)
+        for error, text, call in [
+            (TypeError, "add_many: the shapes are in 3D of float32, the scene in 3D of float64", lambda: scene.add_many(floats)),
+            (ValueError, "in 2D", lambda: scene.add_many([graze.Sphere([0, 0], 1)])),
+            (TypeError, "query: region is a Sphere in 3D of float32, the index", lambda: graze.Bvh().query(floats[0])),
+            (ValueError, "add: mask names 'snow', which is no layer", lambda: scene.add(graze.Point([0, 0, 0]), mask=["snow"])),
+            (ValueError, "an aabb, has a min above its max", lambda: scene.move_many(scene.ids(), np.array([[1.0] * 3 + [0.0] * 3]))),
+        ]:
+            with self.subTest(text), self.assertRaisesRegex(error, text):
+                scene.add(graze.Point([0, 0, 0])) if not len(scene) else None
+                call()
+        self.assertEqual(len(scene.add_many([])), 0)
+        self.assertFalse(-1 in scene or 2**70 in scene or 2**63 in graze.Bvh())
+        snow = scene.add(graze.Point([0, 0, 0]), layer="snow", mask=["snow"])
+        self.assertEqual(scene.object(snow).mask, 1 << scene.object(snow).layer)
+        self.assertEqual(repr(scene), "<graze.Scene: 2 objects in 3D, float64>")
 
     def test_contacts_are_the_same_as_a_list_and_as_arrays(self):
         random = np.random.default_rng(11)

@@ -126,6 +126,41 @@ class ShapesTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "row 3"):
             graze.Sphere.many(centers, np.where(np.arange(50) == 3, -1.0, 1.0))
 
+    def test_one_value_serves_many_shapes(self):
+        centers = np.arange(12.0).reshape(4, 3)
+        self.assertEqual(list(graze.Sphere.many(centers, 0.5)), [graze.Sphere(center, 0.5) for center in centers])
+        axes = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+        boxes = graze.Obb.many(centers, [1, 2, 3], axes, dtype=np.float32)
+        self.assertEqual(boxes[3], graze.Obb(centers[3], [1, 2, 3], axes, dtype=np.float32))
+        for radius in ([1, 2], [[1], [2], [3], [4]], "1", None):
+            with self.subTest(radius), self.assertRaises((TypeError, ValueError)):
+                graze.Sphere.many(centers, radius)
+
+    def test_many_shapes_are_pickled(self):
+        for shapes in (
+            graze.Sphere.many(np.zeros((0, 2)), [], dtype=np.float32),
+            graze.Aabb.many(np.zeros((3, 3)), np.ones((3, 3))),
+            graze.Shapes([graze.Point([1, 2]), graze.Sphere([0, 0], 1)]),
+        ):
+            again = pickle.loads(pickle.dumps(shapes))
+            self.assertEqual((list(again), again.dimension, again.dtype), (list(shapes), shapes.dimension, shapes.dtype))
+        self.assertEqual(len(graze.Shapes([], dimension=2)), 0)
+        with self.assertRaisesRegex(ValueError, "dimension"):
+            graze.Shapes([])
+
+    def test_reflections_are_no_poses(self):
+        cube = graze.Mesh(CUBE, FACES, kind="solid")
+        with self.assertRaisesRegex(ValueError, "reflection"):
+            graze.transformed(cube, np.diag([1.0, 1, -1, 1]))
+        with self.assertRaisesRegex(ValueError, "reflection"):
+            graze.transformed(graze.Sphere([0, 0], 1), graze.Pose(np.diag([1.0, -1]), np.zeros(2)))
+
+    def test_lists_of_points_are_as_good_as_arrays(self):
+        ball, points = graze.Sphere([0, 0, 0], 1), [[0, 0, 0], [2, 0, 0], [0, 0.5, 0]]
+        self.assertEqual(graze.contains(ball, points).tolist(), [True, False, True])
+        self.assertEqual(graze.contains(ball, np.array(points)).tolist(), [True, False, True])
+        self.assertIs(graze.contains(ball, [0, 0, 0]), True)
+
     def test_shapes_draw_themselves(self):
         for shape in shapes(np.float64):
             self.assertIn("<svg", shape._repr_svg_())

@@ -267,7 +267,7 @@ AnyShape<N, double> read_json_shape(JsonValue object, const JsonPlace& place,
   }
   const std::size_t type_index = read_type(object, place);
   const std::string_view type = shape_type_names[type_index];
-  const std::string what = std::string(detail::article_of(type)) += type;
+  const std::string what = detail::with_article(type);
   const JsonFields fields(object, place, what);
   refuse_other_dimension<N>(fields, type_index);
   const auto own_fields = shape_fields(type_index, N);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -54,6 +55,9 @@ class ShortText {
 constexpr std::string_view article_of(std::string_view noun) {
   return std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a " : "an ";
 }
+
+/// "a sphere", "an aabb"
+inline std::string with_article(std::string_view noun) { return std::string(article_of(noun)) += noun; }
 
 /// The member of a shape that is its own single field, such as a point.
 struct Itself {};
