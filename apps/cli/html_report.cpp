@@ -94,9 +94,9 @@ void HtmlReport::finish(std::ostream& out, const io::SceneFile& file, const io::
   out << page.substr(0, place);
   // The scene is stored as text in a string, because JavaScript's numbers could not represent all its fields.
   write_for_html(out, fmt::format("{{\"source\": {},\n\"scene\": {}", io::json_string(io::file_name(file.source)),
-                                  io::json_string(scene.view())));
+                                  io::json_string(scene.str())));
   write_for_html(out, ",\n\"check\": ");
-  write_for_html(out, check_.view());
+  write_for_html(out, check_.str());
   out << "}\n" << page.substr(place);
 }
 

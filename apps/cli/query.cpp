@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -24,6 +23,7 @@
 #include <graze/io/log/scene_after.hpp>
 #include <graze/io/report/found.hpp>
 #include <graze/io/scene_file.hpp>
+#include <graze/io/text/decimal.hpp>
 #include <graze/scene/scene.hpp>
 #include <graze/scene/scene_query.hpp>
 
@@ -109,17 +109,15 @@ void require_one_question(const QueryArguments& arguments) {
 std::vector<double> numbers_in(const std::string& option, const std::string& text, std::size_t count,
                                const std::string& meaning) {
   std::vector<double> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (true) {
-    double number = 0;
-    const auto [stop, error] = std::from_chars(at, end, number);
-    if (error != std::errc() || (stop != end && *stop != ',')) {
-      throw UsageError(option + " " + io::in_quotes(text) + " is not a comma-separated list of numbers");
+  for (std::size_t first = 0; first <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', first), text.size());
+    const io::Decimal number = io::decimal_of(std::string_view(text).substr(first, comma - first));
+    if (!number.fault.empty()) {
+      throw UsageError(fmt::format("{} {} is not a comma-separated list of numbers: one {}", option,
+                                   io::in_quotes(text), number.fault));
     }
-    numbers.push_back(number);
-    if (stop == end) break;
-    at = stop + 1;
+    numbers.push_back(number.value);
+    first = comma + 1;
   }
   if (numbers.size() != count) {
     throw UsageError(fmt::format("{} {} has {} number{}; it takes {}", option, io::in_quotes(text), numbers.size(),

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Packs the wheel, as pip's build backend (PEP 517) and as a program. Debian 12 has no backend that runs CMake.
 
-    python3 graze_build.py BUILD WHEELS    packs the module of a build folder, and prints the name of the wheel
+    python3 graze_build.py BUILD WHEELS              packs the module of a build folder, and prints the name of the wheel
+    python3 graze_build.py --module FOLDER WHEELS    packs a folder `graze` as it is, without the libraries it loads
 
 As a backend it builds the module first, by CMake's preset python-release. The wheel contains the shared libraries that the
 module loads, with their licences, so that it needs nothing but NumPy.
@@ -120,4 +121,5 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 if __name__ == "__main__":
-    print(pack_build(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])))
+    make, arguments = (pack, sys.argv[2:]) if sys.argv[1] == "--module" else (pack_build, sys.argv[1:])
+    print(make(*map(pathlib.Path, arguments)))

@@ -54,7 +54,7 @@ class GRAZE_EXPORT RecordingReader {
   /// naming frame and box (counted from 0), for a coordinate that is not finite, a min above its max or a z in a 2D
   /// recording, and std::logic_error if N is not the recording's dimension.
   template <Dim N>
-  bool next(std::vector<Aabb<N, float>>& boxes);
+  GRAZE_EXPORT bool next(std::vector<Aabb<N, float>>& boxes);
 
   /// Moves to a frame, which `next` then reads; head().frames is the end. Throws std::out_of_range beyond it.
   void seek(std::size_t frame);

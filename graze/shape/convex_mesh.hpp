@@ -20,7 +20,6 @@
 #include <graze/shape/hull/lexicographic.hpp>
 #include <graze/shape/hull/quickhull.hpp>
 #include <graze/shape/hull/undecided_points.hpp>
-#include <graze/shape/hull/vertices-inl.hpp>
 #include <graze/shape/plane.hpp>
 #include <graze/shape/polytope.hpp>
 

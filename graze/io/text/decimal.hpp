@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include <graze/math/platform/export.hpp>
+
 namespace graze::io {
 
 /// A number that was read from text, or why there is none.
@@ -15,6 +17,6 @@ struct Decimal {
 
 /// Reads a decimal number, rounded to the nearest double. A leading plus sign is allowed, blanks are not. The whole
 /// text must be the number, which must be finite.
-Decimal decimal_of(std::string_view text);
+GRAZE_EXPORT Decimal decimal_of(std::string_view text);
 
 }  // namespace graze::io

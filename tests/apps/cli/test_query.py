@@ -112,7 +112,7 @@ class Query(CommandLineTest):
         self.wrong("negative radius", scene, "--sphere", "0,0,-1")
         self.wrong("direction", scene, "--ray", "0,0,0,0")
         self.wrong("t_max", scene, "--ray", "0,0,1,0", "--t-max", "-1")
-        self.wrong("not finite", scene, "--point", "nan,0")
+        self.wrong("must be a finite number", scene, "--point", "nan,0")
         room = self.write("room.json", ROOM)
         self.wrong('did you mean "walls"', room, "--point", "0,0,0", "--layer", "wals")
 

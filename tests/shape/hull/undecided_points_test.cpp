@@ -17,7 +17,7 @@
 #include <graze/shape/hull/lexicographic.hpp>
 #include <graze/shape/hull/quickhull.hpp>
 #include <graze/shape/hull/undecided_points.hpp>
-#include <graze/shape/hull/vertices-inl.hpp>
+#include <graze/shape/hull/vertices.hpp>
 
 #include "catalogue.hpp"
 #include "shape/hull_surface.hpp"
