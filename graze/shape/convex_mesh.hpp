@@ -14,6 +14,7 @@
 
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
+#include <graze/shape/hull/edges.hpp>
 #include <graze/shape/hull/flat_points.hpp>
 #include <graze/shape/hull/frame.hpp>
 #include <graze/shape/hull/input.hpp>

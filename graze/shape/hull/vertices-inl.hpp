@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <graze/math/vec.hpp>
+#include <graze/shape/hull/edges.hpp>
 #include <graze/shape/hull/flat_points.hpp>
 #include <graze/shape/hull/frame.hpp>
 #include <graze/shape/hull/quickhull.hpp>

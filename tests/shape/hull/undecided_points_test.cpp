@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <graze/shape/hull/edges.hpp>
 #include <graze/shape/hull/faces.hpp>
 #include <graze/shape/hull/flat_points.hpp>
 #include <graze/shape/hull/frame.hpp>
