@@ -300,7 +300,8 @@ void SceneLog<N, T>::finish() {
 template <Dim N, class T>
 void SceneLog<N, T>::require_written() const {
   if (stream_) return;
-  throw io::OutputError(path_.string() + ": the log cannot be written; stop_recording() ends it");
+  throw io::OutputError(path_.string() +
+                        ": the log cannot be written; after stop_recording() the scene goes on without it");
 }
 
 LayerMask mask_of(Argument argument, py::handle value, const std::vector<std::string>& names) {
