@@ -89,7 +89,7 @@ TYPED_TEST(BvhKernelsTest, MetAreTheBoxesThatShareAPoint) {
     EXPECT_EQ(kernels.met(node.boxes, TestFixture::Box::everything()), (std::uint64_t{1} << count) - 1);
     all += static_cast<std::size_t>(std::popcount(expected));
   });
-  EXPECT_GT(all, 50 * TestFixture::kernel_targets());
+  EXPECT_GT(all, 50 * test::simd_targets().size());
 }
 
 TYPED_TEST(BvhKernelsTest, AroundIsTheBoxAroundAll) {
@@ -187,7 +187,7 @@ TYPED_TEST(BvhKernelsTest, EnteredAreTheBoxesThatARayMayEnter) {
       ++all;
     }
   });
-  EXPECT_GT(all, 50 * TestFixture::kernel_targets());
+  EXPECT_GT(all, 50 * test::simd_targets().size());
 }
 
 /// The first of all boxes on a ray, ties to the lowest slot, bit for bit: forwards and backwards, along axes, from
