@@ -38,16 +38,35 @@ inline Rounded halves(double x) {
   return {upper, x - upper};
 }
 
-/// The same bits as std::fma(a, b, -product) for the rounded product of a and b, from products of halves (Dekker 1971)
-/// if none of them overflows or underflows.
-inline double product_error_by_halves(double a, double b, double product) {
-  const double size = std::fabs(product);
-  const bool is_moderate = size > 0x1p-900 && size < 0x1p900 && std::fabs(a) < 0x1p900 && std::fabs(b) < 0x1p900;
-  if (!is_moderate) return size == 0 && (a == 0 || b == 0) ? 0 : std::fma(a, b, -product);
+/// The error of the rounded product of a and b, from products of halves (Dekker 1971). Exact if none of them overflows
+/// or underflows.
+inline double error_by_halves(double a, double b, double product) {
   const Rounded of_a = halves(a);
   const Rounded of_b = halves(b);
   const double without_last = (of_a.value * of_b.value - product) + of_a.value * of_b.error + of_a.error * of_b.value;
   return without_last + of_a.error * of_b.error;
+}
+
+/// The same, of any numbers: their significands are multiplied, and the error is scaled. What is left of a product
+/// below 2^-1022 is at most half the least double, and rounds to zero.
+inline double error_of_extreme_product(double a, double b, double product) {
+  if (std::isinf(product) && std::isfinite(a) && std::isfinite(b)) return -product;  // it overflowed
+  if (!std::isfinite(product)) return std::numeric_limits<double>::quiet_NaN();
+  int exponent_of_a = 0;
+  int exponent_of_b = 0;
+  const double significand_of_a = std::frexp(a, &exponent_of_a);
+  const double significand_of_b = std::frexp(b, &exponent_of_b);
+  const int exponent = exponent_of_a + exponent_of_b;
+  const double rounded = significand_of_a * significand_of_b;
+  const double dropped = rounded - std::ldexp(product, -exponent);  // zero unless the product is below 2^-1022
+  return std::ldexp(dropped + error_by_halves(significand_of_a, significand_of_b, rounded), exponent);
+}
+
+/// The same bits as std::fma(a, b, -product) for the rounded product of a and b.
+inline double product_error(double a, double b, double product) {
+  const double size = std::fabs(product);
+  const bool is_moderate = size > 0x1p-900 && size < 0x1p900 && std::fabs(a) < 0x1p900 && std::fabs(b) < 0x1p900;
+  return is_moderate ? error_by_halves(a, b, product) : error_of_extreme_product(a, b, product);
 }
 
 }  // namespace detail
@@ -56,7 +75,7 @@ inline double product_error_by_halves(double a, double b, double product) {
 inline Rounded two_product(double a, double b) {
   const double product = a * b;
 #if defined(__wasm__) || (defined(__MINGW32__) && !defined(__FMA__))  // std::fma is slow here, or rounds twice
-  return {product, detail::product_error_by_halves(a, b, product)};
+  return {product, detail::product_error(a, b, product)};
 #else
   return {product, std::fma(a, b, -product)};
 #endif

@@ -112,7 +112,8 @@ std::pair<T, T> crossing(const Plane<N, T>& plane, Dim axis) {
   const double offset = static_cast<double>(plane.offset);
   const double quotient = offset / slope;
   const bool remainder_known = std::fabs(offset) >= least_product_with_error;
-  const bool exact = offset == 0 || (remainder_known && std::fma(quotient, slope, -offset) == 0);
+  const Rounded product = two_product(quotient, slope);
+  const bool exact = offset == 0 || (remainder_known && product.value == offset && product.error == 0);
   return {round_down<T>(exact ? quotient : next_down(quotient)), round_up<T>(exact ? quotient : next_up(quotient))};
 }
 }  // namespace detail

@@ -42,7 +42,8 @@
 /// A compound counts as its deepest part, of several the first; where parts overlap, the way out of one may lead deeper
 /// into another. A mesh counts as the compound of its faces. But a solid in 3D that holds the center of the shape's box
 /// pushes the shape out to the plane of a face, with its normal rounded to T: the least deep of those that it touches
-/// and the one nearest to the center. So the move takes a shape out of the faces nearby, but perhaps into others.
+/// and the one nearest to the center. So the move takes a shape out of the faces nearby, but perhaps into others. Where
+/// a face nearby is turned around or flat, a shape that touches none is pushed straight to the nearest.
 /// Swapping the arguments swaps the points, negates the normal and changes no bit of anything else, except for two
 /// equal shapes.
 ///
@@ -220,7 +221,7 @@ template <HasParts Whole, class S>
 std::optional<Penetration<dimension_of<S>>> penetration_of_parts(const Whole& whole, const S& shape) {
   return with_deciding_contact(
       whole, shape, touching_bounds(shape), [&shape](const auto& part) { return penetration(part, shape); },
-      [](const auto& found, std::size_t, bool) { return found; });
+      [](const auto& found, std::size_t, const auto*) { return found; });
 }
 
 template <class A, class B>

@@ -121,11 +121,12 @@ std::optional<WideManifold<N>> exchanged(std::optional<WideManifold<N>> manifold
 template <HasParts Whole, class S>
 std::optional<WideManifold<dimension_of<S>>> manifold_of_parts(const Whole& whole, const S& shape, double margin) {
   using Result = std::optional<WideManifold<dimension_of<S>>>;
-  const auto manifold_of = [&](const auto& found, std::size_t index, [[maybe_unused]] bool is_behind) -> Result {
+  const auto manifold_of = [&](const auto& found, std::size_t index,
+                               [[maybe_unused]] const auto* half_space) -> Result {
     if (!found) return std::nullopt;
     Result result;
     if constexpr (dimension_of<S> == 3 && is_mesh<Whole>) {
-      if (is_behind) result = wide_manifold(*half_space_behind(whole.triangle(index)), shape, margin);
+      if (half_space != nullptr) result = wide_manifold(*half_space, shape, margin);
     }
     if (!result) result = wide_manifold(part_of(whole, index), shape, margin);
     if (result) result->part_a = static_cast<std::uint32_t>(result->part_a * count_of_parts(whole) + index);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -40,7 +41,8 @@ double share_along(const Vec<N, double>& edge, const Vec<N, double>& from_start)
 inline double product(double a, double b) { return a * b; }
 inline double product(const Vec<3, double>& a, const Vec<3, double>& b) { return dot(a, b); }
 
-/// The weights of the corners of a triangle, of a point on it up to rounding; along its longest edge if it has no area.
+/// The weights of the corners of a triangle, of a point on it up to rounding. If the point is beside the triangle,
+/// which has perhaps no area, those of the nearest point of its edges.
 template <Dim N, class T>
 Vec<3, T> barycentric_of(const Triangle<N, T>& triangle, const Vec<N, T>& point) {
   const Vec<N, double> a = wide<N, T>(triangle.a);
@@ -55,20 +57,28 @@ Vec<3, T> barycentric_of(const Triangle<N, T>& triangle, const Vec<N, T>& point)
   to_point /= size;
   const auto area = accurate_cross(to_b, to_c);
   const double squared = product(area, area);
-  double of_b = 0;
-  double of_c = 0;
   if (squared > 0) {
-    of_b = std::clamp(product(accurate_cross(to_point, to_c), area) / squared, 0.0, 1.0);
-    of_c = std::clamp(product(accurate_cross(to_b, to_point), area) / squared, 0.0, 1.0 - of_b);
-  } else if (dot(to_b, to_c) < 0) {
-    of_c = share_along<N>(to_c - to_b, to_point - to_b);
-    of_b = 1 - of_c;
-  } else if (dot(to_b, to_b) > dot(to_c, to_c)) {
-    of_b = share_along<N>(to_b, to_point);
-  } else {
-    of_c = share_along<N>(to_c, to_point);
+    const double of_b = product(accurate_cross(to_point, to_c), area) / squared;
+    const double of_c = product(accurate_cross(to_b, to_point), area) / squared;
+    const double of_a = 1 - of_b - of_c;
+    if (of_a >= 0 && of_b >= 0 && of_c >= 0) return {static_cast<T>(of_a), static_cast<T>(of_b), static_cast<T>(of_c)};
   }
-  return {static_cast<T>(1 - of_b - of_c), static_cast<T>(of_b), static_cast<T>(of_c)};
+  Vec<3, T> nearest(T(1), T(0), T(0));
+  double least = std::numeric_limits<double>::infinity();
+  const std::array<Vec<N, double>, 3> corners = {Vec<N, double>(0.0), to_b, to_c};
+  for (Dim i = 0; i < 3; ++i) {
+    const Dim next = (i + 1) % 3;
+    const Vec<N, double> from_start = to_point - corners[static_cast<std::size_t>(i)];
+    const Vec<N, double> edge = corners[static_cast<std::size_t>(next)] - corners[static_cast<std::size_t>(i)];
+    const double share = share_along<N>(edge, from_start);
+    const Vec<N, double> beside = from_start - edge * share;
+    if (!(dot(beside, beside) < least)) continue;
+    least = dot(beside, beside);
+    nearest = Vec<3, T>(T(0));
+    nearest[i] = static_cast<T>(1 - share);
+    nearest[next] = static_cast<T>(share);
+  }
+  return nearest;
 }
 
 }  // namespace detail

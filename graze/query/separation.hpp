@@ -4,6 +4,8 @@
 /// overlap.
 #pragma once
 
+#include <cassert>
+
 #include <graze/query/closest_points.hpp>
 #include <graze/query/compiled/instances.hpp>
 #include <graze/query/contact.hpp>
@@ -33,6 +35,7 @@ Proximity<dimension_of<A>, scalar_of<A>> separation(const A& a, const B& b) {
   Proximity<dimension_of<A>, T> result = closest_points(a, b);
   if (result.relation == Relation::apart) return result;
   const auto met = contact(a, b);
+  assert(met.has_value());  // relation decides both
   result.distance = T(0) - met->depth;
   result.point_a = met->point_a;
   result.point_b = met->point_b;

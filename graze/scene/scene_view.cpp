@@ -33,7 +33,7 @@ const Object<N, T>& SceneView<N, T>::object(ObjectId id) const {
   const std::string name =
       "Scene: the id (index " + std::to_string(id.index) + ", generation " + std::to_string(id.generation) + ") ";
   if (id == ObjectId{}) throw std::out_of_range(name + "is default-constructed; only add returns ids");
-  if (id.owner != ids_.owner()) throw std::out_of_range(name + "belongs to another scene");
+  if (!ids_.has_issued({id.index, id.generation, id.owner})) throw std::out_of_range(name + "belongs to another scene");
   throw std::out_of_range(name + "names no object any more; it was removed");
 }
 

@@ -113,6 +113,10 @@ TYPED_TEST_P(SpatialIndexLaws, AKeyIsAnErrorOnceItsBoxIsGoneOrInAnotherIndex) {
     EXPECT_THROW(index.erase(bad), std::out_of_range);
     EXPECT_THROW(index.box(bad), std::out_of_range);
   }
+  TypeParam copy = index;
+  const Key of_copy = copy.insert(cube<TypeParam>(0));
+  EXPECT_EQ(message_of([&] { index.box(of_copy); }),
+            "SpatialIndex: the key (index 1, generation 1) belongs to another index");
   EXPECT_EQ(index.box(newcomer), cube<TypeParam>(7));
   EXPECT_EQ(index.size(), 1U);
 }

@@ -78,7 +78,7 @@ class Agreement : public ::testing::Test {
     using T = typename SpaceType::scalar;
     Tally tally;
     for_each_case<N, T>(
-        kind, number_of_cases(20, 4), [&tally](const AnyPair<N, T>& pair) { check<N, T>(pair, tally); },
+        kind, number_of_cases(20, 8), [&tally](const AnyPair<N, T>& pair) { check<N, T>(pair, tally); },
         [&tally] { return tally.failures < most_failures; });
     std::cout << "seed " << seed_of_cases() << ": " << tally.cases << " cases, " << 100 * tally.hits / tally.cases
               << " % hits, " << tally.other_verdicts << " called touching within the band, at most " << tally.worst

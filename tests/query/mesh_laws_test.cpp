@@ -12,6 +12,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <graze/math/motion.hpp>
+#include <graze/query/bounds.hpp>
 #include <graze/query/closest_boundary_point.hpp>
 #include <graze/query/closest_point.hpp>
 #include <graze/query/closest_points.hpp>
@@ -23,6 +24,7 @@
 #include <graze/query/mass_properties.hpp>
 #include <graze/query/ray_cast.hpp>
 #include <graze/query/relation.hpp>
+#include <graze/query/separation.hpp>
 #include <graze/query/shape_cast.hpp>
 #include <graze/query/signed_distance.hpp>
 #include <graze/query/time_of_impact.hpp>
@@ -166,6 +168,18 @@ TYPED_TEST(SurfaceMesh, HitsAreAtTheirBarycentricCoordinates) {
     RC_LOG() << mean[0] << ", " << mean[1] << " for " << hit->point[0] << ", " << hit->point[1] << "\n";
     RC_ASSERT(max_abs(mean - wide<N, T>(hit->point)) <= error);
   });
+}
+
+/// Its height is a rounding of T, and the point is beside it by another.
+TEST(MeshHit, OfASliverHasTheWeightsOfItsPoint) {
+  const Mesh<2, float> mesh = mesh_of<2, float>(
+      std::vector<Vec<2, float>>{{2.5F, -1.5000004F}, {-4.5F, -4.500001F}, {-1, -3.0000007F}}, {{MeshFace{0, 1, 2}}});
+  const auto hit = ray_cast(mesh, Ray<2, float>{{-1.999F, -4}, {0, 1}});
+  ASSERT_TRUE(hit);
+  const auto corners = mesh.triangle(0).vertices();
+  const Vec<2, float> mean =
+      hit->barycentric[0] * corners[0] + hit->barycentric[1] * corners[1] + hit->barycentric[2] * corners[2];
+  EXPECT_LT(max_abs(mean - hit->point), 2e-6F);
 }
 
 template <class T>
@@ -316,6 +330,92 @@ TYPED_TEST(SolidMesh, PushesWhatIsDeepInItOutward) {
     EXPECT_NEAR(static_cast<double>(found->normal.z), 1, 1e-6) << z;
     EXPECT_GE(manifold(ground, crate_at(z)).size, 3U) << z;
   }
+}
+
+/// The mesh with one more face.
+template <class T>
+Mesh<3, T> with_face(const Mesh<3, T>& mesh, const Triangle<3, T>& face) {
+  std::vector<Vec<3, T>> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  std::vector<MeshFace> faces(mesh.faces().begin(), mesh.faces().end());
+  const auto first = static_cast<std::uint32_t>(vertices.size());
+  vertices.insert(vertices.end(), {face.a, face.b, face.c});
+  faces.push_back({first, first + 1, first + 2});
+  return mesh_of<3, T>(vertices, faces, mesh.kind());
+}
+
+/// One face nearby is turned around, so that the shape is before it, or flat.
+TYPED_TEST(SolidMesh, HasAContactWithWhatIsInsideWhateverTheNearestFace) {
+  using T = TypeParam;
+  const Mesh<3, T> cube = box_mesh(Aabb<3, T>{Vec<3, T>(T(-1)), Vec<3, T>(T(1))});
+  const Vec<3, T> corner(T(0), T(0), T(0.25));
+  const Vec<3, T> along_x(T(0.125), T(0), T(0.25));
+  const Vec<3, T> along_y(T(0), T(0.125), T(0.25));
+  const Sphere<3, T> ball{Vec<3, T>(T(0)), T(0.125)};
+  for (const Triangle<3, T>& face : {Triangle<3, T>{corner, along_y, along_x}, {corner, corner, along_x}}) {
+    const Mesh<3, T> mesh = with_face(cube, face);
+    ASSERT_EQ(relation(mesh, ball), Relation::overlapping);
+    const auto found = contact(mesh, ball);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->normal, (Vec<3, T>(T(0), T(0), T(1))));
+    EXPECT_EQ(found->depth, T(0.375));
+    EXPECT_EQ(contact(ball, mesh)->depth, found->depth);
+    EXPECT_EQ(separation(mesh, ball).distance, -found->depth);
+    EXPECT_EQ(manifold(mesh, ball).size, 1U);
+  }
+}
+
+/// The center of the shape's box is in the solid, but the shape is around it.
+TYPED_TEST(SolidMesh, HasNoContactWithWhatIsAroundIt) {
+  using T = TypeParam;
+  const Mesh<3, T> small = box_mesh(Aabb<3, T>{Vec<3, T>(T(-0.125)), Vec<3, T>(T(0.125))});
+  const Mesh<3, T> around = box_mesh(Aabb<3, T>{Vec<3, T>(T(-1)), Vec<3, T>(T(1))}, MeshKind::surface);
+  const Triangle<3, T> triangle{{T(-1), T(-1), T(0)}, {T(1), T(-1), T(1)}, {T(1), T(1), T(-1)}};
+  for (const AnyShape<3, T>& other : {AnyShape<3, T>(around), AnyShape<3, T>(triangle)}) {
+    ASSERT_TRUE(contains(small, bounds(other).center()));
+    EXPECT_EQ(relation(AnyShape<3, T>(small), other), Relation::apart);
+    EXPECT_FALSE(contact(AnyShape<3, T>(small), other));
+    EXPECT_FALSE(contact(other, AnyShape<3, T>(small)));
+    const auto near = contact(AnyShape<3, T>(small), other, ContactOptions{.margin = 9});
+    ASSERT_TRUE(near);
+    EXPECT_EQ(near->depth, -distance(AnyShape<3, T>(small), other));
+    EXPECT_EQ(manifold(AnyShape<3, T>(small), other).size, 0U);
+    for (const auto& point : manifold(AnyShape<3, T>(small), other, ContactOptions{.margin = 9}).contacts()) {
+      EXPECT_LT(point.depth, T(0));
+    }
+  }
+}
+
+/// Of faces at random, open and turned any way, and shapes that lie among them or not.
+TYPED_TEST(SolidMesh, HasAContactWithJustWhatItMeets) {
+  using T = TypeParam;
+  check_property([] {
+    rc::Random random(*rc::gen::arbitrary<std::uint64_t>());
+    std::vector<Vec<3, T>> vertices(4 + random.next() % 8);
+    for (Vec<3, T>& vertex : vertices) vertex = TestFixture::point_in_cube(random, T(1));
+    std::vector<MeshFace> faces(1 + random.next() % 12);
+    for (MeshFace& face : faces) {
+      for (std::uint32_t& vertex : face) vertex = static_cast<std::uint32_t>(random.next() % vertices.size());
+    }
+    const AnyShape<3, T> mesh = mesh_of<3, T>(vertices, faces, MeshKind::solid);
+    for (int i = 0; i < 40; ++i) {
+      const Source<3, T> from = draw_source<3, T>();
+      AnyShape<3, T> other = TestFixture::point_in_cube(random, T(1));
+      if (i % 4 == 1)
+        other = Sphere<3, T>{TestFixture::point_in_cube(random, T(1)), T(0.1) * TestFixture::share(random)};
+      if (i % 4 == 2) {
+        const Vec<3, T> center = TestFixture::point_in_cube(random, T(1));
+        const auto corner = [&] { return center + T(0.3) * TestFixture::point_in_cube(random, T(1)); };
+        other = Triangle<3, T>{corner(), corner(), corner()};
+      }
+      if (i % 4 == 3) other = draw_shape<3, T>(from, 1);
+      RC_LOG() << to_source<3, T>(mesh) << ", " << to_source<3, T>(other) << "\n";
+      const bool meet = intersects(mesh, other);
+      RC_ASSERT(contact(mesh, other).has_value() == meet);
+      RC_ASSERT(contact(other, mesh).has_value() == meet);
+      RC_ASSERT((manifold(mesh, other).size > 0) == meet);
+      RC_ASSERT((separation(mesh, other).distance > T(0)) == !meet);
+    }
+  });
 }
 
 }  // namespace

@@ -108,6 +108,10 @@ TEST(Scene, AnIdThatIsNotOfThisSceneIsAnError) {
   EXPECT_EQ(message_of([&] { scene.move(gone, Ball{}); }),
             "Scene: the id (index 1, generation 1) names no object any more; it was removed");
   EXPECT_EQ(scene.size(), 1U);
+  World copy = scene;
+  const ObjectId of_copy = copy.add(Ball{});
+  EXPECT_EQ(message_of([&] { scene.remove(of_copy); }),
+            "Scene: the id (index 1, generation 3) belongs to another scene");
 }
 
 TEST(Scene, ACopyAnswersToTheSameIdsAndGoesItsOwnWay) {

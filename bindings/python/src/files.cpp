@@ -93,19 +93,38 @@ io::ReplayReport replayed(const io::QueryLog<N>& log) {
   return io::replay<N>(log, io::library_targets<N>(log.numbers));
 }
 
-py::object replay_text(const std::string& text, const std::string& source) {
+/// The text of a query log, and its name in messages: the path if it is a file.
+struct LogText {
+  std::string text;
+  std::string source;
+};
+
+LogText log_text_of(std::string_view function, const py::object& log, const std::string& source) {
+  if (py::isinstance<py::str>(log) || py::isinstance<py::bytes>(log)) return {py::cast<std::string>(log), source};
+  if (!py::hasattr(log, "__fspath__")) {
+    throw py::type_error(fmt::format("{}: log is a {}; a pathlib.Path or the text of a log is needed", function,
+                                     Py_TYPE(log.ptr())->tp_name));
+  }
+  const std::filesystem::path place = path_of(log);
+  return {std::string(py::bytes(py::module_::import("pathlib").attr("Path")(log).attr("read_bytes")())),
+          place.string()};
+}
+
+py::object replay_log(const py::object& given, const std::string& source) {
   static ResultClass report_class("ReplayReport");
+  const LogText text = log_text_of("replay", given, source);
   const io::ReplayReport report = without_gil([&] {
-    const io::AnyQueryLog log = io::parse_query_log(text, source);
+    const io::AnyQueryLog log = io::parse_query_log(text.text, text.source);
     return std::visit([](const auto& any) { return replayed(any); }, log);
   });
   return report_class(report.calls, report.differing);
 }
 
-py::object scene_after_text(const std::string& text, const std::string& source) {
+py::object scene_after_log(const py::object& given, const std::string& source) {
+  const LogText text = log_text_of("scene_after", given, source);
   auto scene = without_gil([&] {
-    const io::AnyQueryLog log = io::parse_query_log(text, source);
-    return std::visit([&](const auto& any) -> io::AnyScene { return io::scene_after(any, source); }, log);
+    const io::AnyQueryLog log = io::parse_query_log(text.text, text.source);
+    return std::visit([&](const auto& any) -> io::AnyScene { return io::scene_after(any, text.source); }, log);
   });
   return std::visit([]<Dim N>(Scene<N, double>& after) { return python_scene<N, double>(std::move(after)); }, scene);
 }
@@ -146,10 +165,12 @@ void add_files(py::module_& module) {
              "Reads a scene from str or bytes; `source` names it in messages, and files that it refers to are in "
              "`folder`.");
   module.def("scene_json", &scene_text, py::arg("scene"), "A scene as a text in graze's format, docs/scene_format.md.");
-  module.def("replay", &replay_text, py::arg("text"), py::arg("source") = "log",
-             "Performs the calls of a query log (docs/query_log.md) again and compares the answers: a ReplayReport.");
-  module.def("scene_after", &scene_after_text, py::arg("text"), py::arg("source") = "log",
-             "The scene after the calls of a query log, with float64.");
+  module.def(
+      "replay", &replay_log, py::arg("log"), py::arg("source") = "log",
+      "Performs the calls of a query log (docs/query_log.md) again and compares the answers: a ReplayReport. The "
+      "log is a pathlib.Path, or its text as str or bytes; then `source` names it in messages.");
+  module.def("scene_after", &scene_after_log, py::arg("log"), py::arg("source") = "log",
+             "The scene after the calls of a query log, as in `replay`, with float64.");
 }
 
 }  // namespace graze::python

@@ -236,7 +236,29 @@ py::ssize_t size_of(const HeldShapes& shapes) {
   return std::visit([](const auto& list) { return static_cast<py::ssize_t>(list.size()); }, shapes.any);
 }
 
-py::object element_of(const HeldShapes& shapes, py::ssize_t index) {
+/// shapes[first:last:step]: they keep the one type that all have.
+py::object part_of(const HeldShapes& shapes, const py::slice& slice) {
+  py::ssize_t place = 0;
+  py::ssize_t last = 0;
+  py::ssize_t step = 0;
+  py::ssize_t count = 0;
+  if (!slice.compute(size_of(shapes), &place, &last, &step, &count)) throw py::error_already_set();
+  return std::visit(
+      [&]<Dim N, class T>(const ShapeList<N, T>& list) {
+        return list.visit([&]<class S>(std::span<const S> all) {
+          std::vector<S> part;
+          part.reserve(static_cast<std::size_t>(count));
+          for (py::ssize_t i = 0; i < count; ++i) part.push_back(all[static_cast<std::size_t>(place + i * step)]);
+          return boxed(HeldShapes{ShapeList<N, T>(std::move(part))});
+        });
+      },
+      shapes.any);
+}
+
+py::object element_of(const HeldShapes& shapes, const py::object& which) {
+  if (py::isinstance<py::slice>(which)) return part_of(shapes, which);
+  const py::ssize_t index = PyNumber_AsSsize_t(which.ptr(), PyExc_IndexError);
+  if (index == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
   const py::ssize_t size = size_of(shapes);
   const py::ssize_t place = index < 0 ? index + size : index;
   if (place < 0 || place >= size)
@@ -248,19 +270,52 @@ py::object element_of(const HeldShapes& shapes, py::ssize_t index) {
       shapes.any);
 }
 
+bool are_equal(const HeldShapes& a, const HeldShapes& b) {
+  if (a.any.index() != b.any.index()) return false;
+  return std::visit(
+      [&b]<Dim N, class T>(const ShapeList<N, T>& list) {
+        const auto of_a = list.any();
+        const auto of_b = std::get<ShapeList<N, T>>(b.any).any();
+        return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
+                          [](const auto& one, const auto& other) { return detail::compare<N, T>(one, other) == 0; });
+      },
+      a.any);
+}
+
+py::ssize_t hash_of(const HeldShapes& shapes) {
+  Hash hash;
+  hash.add(static_cast<std::uint64_t>(shapes.any.index()));
+  std::visit(
+      [&hash]<Dim N, class T>(const ShapeList<N, T>& list) {
+        for (const AnyShape<N, T>& shape : list.any()) hash.add<N, T>(shape);
+      },
+      shapes.any);
+  return hash.value();
+}
+
 World world_of(const HeldShapes& shapes) {
   return std::visit([]<Dim N, class T>(const ShapeList<N, T>&) { return In<N, T>::world; }, shapes.any);
+}
+
+template <class Value>
+void add_equality(TypeMaker& maker) {
+  maker.method("__eq__", [](const Value& a, const py::object& b) -> py::object {
+    if (!is_boxed<Value>(b)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+    return py::bool_(are_equal(a, unboxed<Value>(b)));
+  });
+  maker.method("__hash__", [](const Value& value) { return hash_of(value); });
 }
 
 void add_shape_list(py::module_& module) {
   TypeMaker maker = TypeMaker::of<HeldShapes>(
       module, "graze.Shapes",
       "Shapes(shapes, dimension=None, dtype=numpy.float64)\n--\n\nAn immutable sequence of shapes of one dimension "
-      "and dtype, which batches read without a copy. "
+      "and dtype, which batches read without a copy; equal to others of the same dtype with equal shapes. "
       "Types like Sphere make one from arrays: Sphere.many(centers, radii).");
   maker.constructor(&shapes_from, py::arg("shapes"), py::arg("dimension") = py::none(), py::arg("dtype") = py::none());
   maker.method("__len__", &size_of);
   maker.method("__getitem__", &element_of, py::arg("index"));
+  add_equality<HeldShapes>(maker);
   maker.method("__reduce__", [](const py::object& self) {
     const HeldShapes& shapes = unboxed<HeldShapes>(self);
     const World world = world_of(shapes);
@@ -389,11 +444,7 @@ void add_shapes(py::module_& module) {
                                             "never change. Shapes with equal fields are "
                                             "equal, and `repr` is an expression that makes the shape.");
   base.no_constructor("Shape is the base of the types of shapes: make a Sphere, an Obb, a Mesh or another");
-  base.method("__eq__", [](const HeldShape& a, const py::object& b) -> py::object {
-    if (!is_boxed<HeldShape>(b)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-    return py::bool_(are_equal(a, unboxed<HeldShape>(b)));
-  });
-  base.method("__hash__", &hash_of);
+  add_equality<HeldShape>(base);
   base.method("__repr__", &expression);
   base.method("__reduce__", &reduced);
   base.method("_repr_svg_", &svg_of_shape, "A picture of the shape.");

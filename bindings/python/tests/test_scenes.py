@@ -43,6 +43,12 @@ class SceneTest(unittest.TestCase):
         index.erase(key)
         with self.assertRaises(IndexError):
             index.box(key)
+        other = graze.Scene()
+        scene.add(graze.Sphere([0, 0, 0], 1))
+        with self.assertRaisesRegex(IndexError, "belongs to another scene"):
+            scene.object(other.add(graze.Sphere([0, 0, 0], 1)))
+        with self.assertRaisesRegex(IndexError, "was removed"):
+            scene.object(ball)
         scenes = [graze.Scene(), graze.Scene()]
         ids = [each.add(graze.Sphere([0, 0, 0], 1)) for each in scenes]
         self.assertTrue(0 < ids[0] < 2**63 and 0 < ids[1] < 2**63 and ids[0] != ids[1])
@@ -138,7 +144,13 @@ class SceneTest(unittest.TestCase):
                 scene.stop_recording()
                 scene.remove(first)
                 text = path.read_text()
+                self.assertEqual(graze.replay(path), graze.replay(text))
+                self.assertEqual(len(graze.scene_after(path)), len(graze.scene_after(text)))
             report = graze.replay(text)
+            with self.assertRaisesRegex(FileNotFoundError, "world.log"):
+                graze.replay(path)
+            with self.assertRaisesRegex(TypeError, "replay: log"):
+                graze.replay(7)
             self.assertEqual(report.differing, 0)
             self.assertEqual(report.calls, text.count('"call"'))
             self.assertEqual(text.count('{"refused"'), 1)

@@ -144,9 +144,29 @@ class ShapesTest(unittest.TestCase):
         ):
             again = pickle.loads(pickle.dumps(shapes))
             self.assertEqual((list(again), again.dimension, again.dtype), (list(shapes), shapes.dimension, shapes.dtype))
+            self.assertEqual((again, hash(again)), (shapes, hash(shapes)))
         self.assertEqual(len(graze.Shapes([], dimension=2)), 0)
         with self.assertRaisesRegex(ValueError, "dimension"):
             graze.Shapes([])
+
+    def test_many_shapes_are_a_sequence(self):
+        spheres = graze.Sphere.many(np.arange(12.0).reshape(4, 3), [1, 2, 3, 4])
+        every = list(spheres)
+        for part in (slice(None), slice(1, 3), slice(None, None, -1), slice(-2, None), slice(3, 0, -2), slice(9, 20)):
+            with self.subTest(part):
+                self.assertIsInstance(spheres[part], graze.Shapes)
+                self.assertEqual(list(spheres[part]), every[part])
+        self.assertEqual(spheres[np.int32(-1)], every[3])
+        self.assertEqual(spheres[1:3], graze.Shapes(every[1:3]))
+        self.assertEqual(len({spheres[:2], graze.Shapes(every[:2]), spheres[1:3]}), 2)
+        self.assertNotEqual(spheres[:2], spheres[:1])
+        self.assertNotEqual(spheres[:0], graze.Sphere.many(np.zeros((0, 3)), [], dtype=np.float32))
+        self.assertNotEqual(spheres, every)
+        for index, error in ((4, IndexError), (2**80, IndexError), (1.0, TypeError), ("0", TypeError)):
+            with self.subTest(index), self.assertRaises(error):
+                spheres[index]
+        with self.assertRaises(ValueError):
+            spheres[::0]
 
     def test_reflections_are_no_poses(self):
         cube = graze.Mesh(CUBE, FACES, kind="solid")

@@ -127,7 +127,7 @@ std::uint32_t KeyTable::slot_of(const Key& key) const {
   const std::string name = "SpatialIndex: the key (index " + std::to_string(key.index) + ", generation " +
                            std::to_string(key.generation) + ") ";
   if (key == Key{}) throw std::out_of_range(name + "is default-constructed; only insert returns keys");
-  if (key.owner != owner_) throw std::out_of_range(name + "belongs to another index");
+  if (!has_issued(key)) throw std::out_of_range(name + "belongs to another index");
   throw std::out_of_range(name + "names no box any more; it was erased");
 }
 

@@ -76,6 +76,12 @@ class GRAZE_EXPORT KeyTable {
            generations_[key.index] == key.generation;
   }
 
+  /// Whether the key has been valid here, or still is.
+  bool has_issued(const Key& key) const {
+    return key.owner == owner_ && key.index < generations_.size() && (key.generation & 1U) != 0 &&
+           key.generation <= generations_[key.index];
+  }
+
   /// For many keys, or types with the members of one: whether the table contains each. Branch-free.
   template <class Name>
   bool contains_all(std::span<const Name> names) const {

@@ -12,6 +12,7 @@
 #include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/bounds.hpp>
+#include <graze/query/closest_point.hpp>
 #include <graze/query/contact/convex.hpp>
 #include <graze/query/contains.hpp>
 #include <graze/query/convex/wide_support.hpp>
@@ -92,10 +93,23 @@ std::optional<HalfSpace<3, T>> half_space_behind(const Triangle<3, T>& face) {
   return HalfSpace<3, T>{rounded, static_cast<T>(dot(wide<3, T>(rounded), a))};
 }
 
+/// The half-space that ends at the nearest point of a face, as seen from a point, which it contains.
+template <class T>
+HalfSpace<3, T> half_space_up_to(const Triangle<3, T>& face, const Vec<3, T>& point) {
+  const Vec<3, double> nearest = wide<3, T>(closest_point(face, point));
+  const Vec<3, double> from = wide<3, T>(point);
+  const Vec<3, double> way = nearest - from;
+  const double size = max_abs(way);
+  const Vec<3, T> normal = size > 0 ? Vec<3, T>(way / size) : unit_axis<3, T>(0);
+  const Vec<3, double> rounded = wide<3, T>(normal);
+  return {normal, round_up<T>(std::max(dot(rounded, nearest), dot(rounded, from)))};
+}
+
 /// The contact of a solid mesh. If the center of the shape's box is outside, the faces push as those of a surface do.
 /// Otherwise that would push what is mostly inside through to the other side of a face. Then the shape is pushed out to
 /// the plane of a face, whichever is least deep: of the faces that it touches, and of the one nearest to the center. A
-/// shape that touches no face is pushed to the plane of the nearest one.
+/// shape that touches no face, but is inside, is pushed to the plane of the nearest one. If it is in front of that
+/// plane, as near a face that is turned around, or if the face is flat and has none, it is pushed straight to the face.
 template <class T, class S>
 class ContactOfSolid {
  public:
@@ -105,45 +119,67 @@ class ContactOfSolid {
         center_(bounds(shape).center()),
         is_deep_(is_finite(center_) && is_held(mesh, center_)) {}
 
+  /// A contact of a face, or, with a margin, of one that is only near.
   void add(const std::optional<Penetration<3>>& candidate, std::size_t face) {
-    if (candidate && !(is_deep_ && add_plane(face))) before_.add(candidate, face);
+    if (!candidate) return;
+    const bool touches = candidate->depth >= 0;
+    touches_ = touches_ || touches;
+    if (!(touches && is_deep_ && add_plane(face))) before_.add(candidate, face);
   }
 
   void finish() {
-    std::optional<Vec<3, T>> inside;
+    std::optional<Vec<3, T>> inside = touches_ ? std::nullopt : point_inside(mesh_, shape_);
+    if (!touches_ && !inside) return;
     if (is_deep_) {
-      inside = center_;
-    } else if (!before_.found) {
-      inside = point_inside(mesh_, shape_);
+      add_plane(nearest_face(center_));
+    } else if (inside) {
+      add_plane(nearest_face(*inside));
     }
-    if (inside) add_plane(deciding_part(mesh_, *inside).index);
+    if (!inside || is_behind()) return;
+    const std::size_t face = nearest_face(*inside);
+    add_half_space(half_space_up_to(mesh_.triangle(face), *inside), face);
   }
 
   const std::optional<Penetration<3>>& found() const { return is_behind() ? behind_ : before_.found; }
   std::size_t index() const { return is_behind() ? first_behind_.index() : before_.first.index(); }
-  bool is_behind() const { return behind_.has_value(); }
+
+  /// The half-space that the shape is pushed out of; null if it is pushed by a face.
+  const HalfSpace<3, T>* half_space() const { return is_behind() ? &half_space_ : nullptr; }
 
  private:
-  /// False for a flat face, which has no plane.
+  bool is_behind() const { return behind_.has_value(); }
+
+  std::size_t nearest_face(const Vec<3, T>& point) const { return deciding_part(mesh_, point).index; }
+
+  /// Whether the face has a plane and the shape reaches behind it.
   bool add_plane(std::size_t face) {
     const auto plane = half_space_behind(mesh_.triangle(face));
-    if (!plane) return false;
-    const std::optional<Penetration<3>> candidate = penetration(*plane, shape_);
-    if (candidate && first_behind_.is_replaced_by(candidate->depth, face)) behind_ = candidate;
-    return true;
+    return plane && add_half_space(*plane, face);
+  }
+
+  bool add_half_space(const HalfSpace<3, T>& half_space, std::size_t face) {
+    const std::optional<Penetration<3>> candidate = penetration(half_space, shape_);
+    if (candidate && first_behind_.is_replaced_by(candidate->depth, face)) {
+      behind_ = candidate;
+      half_space_ = half_space;
+    }
+    return candidate.has_value();
   }
 
   const Mesh<3, T>& mesh_;
   const S& shape_;
   Vec<3, T> center_;
   bool is_deep_;
+  bool touches_ = false;
   DecidingContact<3> before_;
   std::optional<Penetration<3>> behind_;
   FirstPart first_behind_;
+  HalfSpace<3, T> half_space_;
 };
 
-/// Calls use(found, index, is_behind) with the contact that decides; is_behind: it is that of the plane of a solid's
-/// face. `find(part)` returns the contact of one part with the shape, which is in the box.
+/// Calls use(found, index, half_space) with the contact that decides: it is that of a part, or, if half_space is not
+/// null, of a half-space up to a solid's face. `find(part)` returns the contact of one part with the shape, which is in
+/// the box.
 template <HasParts Whole, class S, class Find, class Use>
 auto with_deciding_contact(const Whole& whole, const S& shape, const Aabb<dimension_of<S>, scalar_of<S>>& box,
                            const Find& find, const Use& use) {
@@ -159,7 +195,7 @@ auto with_deciding_contact(const Whole& whole, const S& shape, const Aabb<dimens
       };
       visit_parts(whole, may_touch, PartVisitor<Whole>(add));
       contact.finish();
-      return use(contact.found(), contact.index(), contact.is_behind());
+      return use(contact.found(), contact.index(), contact.half_space());
     }
   }
   DecidingContact<N> deepest;
@@ -172,7 +208,7 @@ auto with_deciding_contact(const Whole& whole, const S& shape, const Aabb<dimens
   } else {
     visit_parts(whole, may_touch, PartVisitor<Whole>(add));
   }
-  return use(deepest.found, deepest.first.index(), false);
+  return use(deepest.found, deepest.first.index(), static_cast<const HalfSpace<N, T>*>(nullptr));
 }
 
 }  // namespace graze::detail
