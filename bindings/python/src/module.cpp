@@ -136,6 +136,7 @@ PYBIND11_MODULE(_graze, module) {  // NOLINT(readability-function-size)
   module.attr("__version__") = GRAZE_VERSION;
   add_errors(module);
   add_shapes(module);
+  add_shape_list(module);
   add_queries(module);
   add_casts(module);
   add_constructions(module);

@@ -10,9 +10,9 @@
 #include <pybind11/numpy.h>
 
 #include <graze/io/shape_numbers.hpp>
-#include <graze/math/platform/bit_cast.hpp>
 #include <graze/shape/fields/shape_order.hpp>
 
+#include "equality.hpp"
 #include "files.hpp"
 #include "module.hpp"
 #include "shape_fields.hpp"
@@ -80,50 +80,6 @@ bool are_equal(const HeldShape& a, const HeldShape& b) {
   });
 }
 
-/// Of numbers that are equal if the shapes are: minus zero counts as zero.
-class Hash {
- public:
-  void add(std::uint64_t bits) { hash_ = (hash_ ^ bits ^ (hash_ >> 29U)) * 0x9e3779b97f4a7c15U; }
-  void add(double number) { add(bit_cast<std::uint64_t>(number + 0.0)); }
-  void add(float number) { add(static_cast<double>(number)); }
-  template <Dim N, class T>
-  void add(const Vec<N, T>& vector) {
-    for (Dim i = 0; i < N; ++i) add(vector[i]);
-  }
-  template <Dim N, class T>
-  void add(const Mat<N, T>& matrix) {
-    for (Dim i = 0; i < N; ++i) add<N, T>(matrix[i]);
-  }
-  template <Dim N, class T>
-  void add(std::span<const Vec<N, T>> points) {
-    for (const Vec<N, T>& point : points) add<N, T>(point);
-  }
-  void add(std::span<const std::array<std::uint32_t, 3>> faces) {
-    for (const auto& face : faces) {
-      for (const std::uint32_t vertex : face) add(std::uint64_t{vertex});
-    }
-  }
-  void add(MeshKind kind) { add(static_cast<std::uint64_t>(kind)); }
-  template <Dim N, class T>
-  void add(const Parts<N, T>& parts) {
-    for (const Part<N, T>& part : parts) add<N, T>(part.shape);
-  }
-  template <Dim N, class T>
-  void add(const AnyShape<N, T>& shape) {
-    add(static_cast<std::uint64_t>(shape.index()));
-    detail::visit(
-        [this](const auto& held) {
-          detail::for_each_field(held, [this](const auto&, const auto& value) { this->add(value); });
-        },
-        shape);
-  }
-
-  py::ssize_t value() const { return static_cast<py::ssize_t>(hash_ >> 1U); }
-
- private:
-  std::uint64_t hash_ = 1;
-};
-
 py::ssize_t hash_of(const HeldShape& shape) {
   Hash hash;
   hash.add(static_cast<std::uint64_t>(shape.any.index()));
@@ -132,8 +88,6 @@ py::ssize_t hash_of(const HeldShape& shape) {
 }
 
 // ---- The types
-
-py::object dtype_of(World world) { return py::dtype(std::string(name_of_numbers(world))); }
 
 std::size_t alternative_of(const HeldShape& shape) {
   return on_shape(shape, [](const auto& any) { return any.index(); });
@@ -218,126 +172,11 @@ void add_shape_type(py::module_& module, std::size_t alternative) {
   maker.finish();
 }
 
-// ---- Shapes
-
-py::object shapes_from(const py::object& sequence, const py::object& dimension, const py::object& dtype) {
-  if (is_boxed<HeldShapes>(sequence)) return sequence;
-  if (is_empty_sequence(sequence) && !dimension.is_none()) {
-    return in_world(world_of_words("Shapes", dimension, dtype), []<Dim N, class T>(In<N, T>) {
-      return boxed(HeldShapes{ShapeList<N, T>(std::vector<AnyShape<N, T>>())});
-    });
-  }
-  return in_world(world_of_shapes("Shapes", sequence), [&]<Dim N, class T>(In<N, T>) {
-    return boxed(HeldShapes{ShapeList<N, T>(shapes_of<N, T>("Shapes", sequence))});
-  });
-}
-
-py::ssize_t size_of(const HeldShapes& shapes) {
-  return std::visit([](const auto& list) { return static_cast<py::ssize_t>(list.size()); }, shapes.any);
-}
-
-/// shapes[first:last:step]: they keep the one type that all have.
-py::object part_of(const HeldShapes& shapes, const py::slice& slice) {
-  py::ssize_t place = 0;
-  py::ssize_t last = 0;
-  py::ssize_t step = 0;
-  py::ssize_t count = 0;
-  if (!slice.compute(size_of(shapes), &place, &last, &step, &count)) throw py::error_already_set();
-  return std::visit(
-      [&]<Dim N, class T>(const ShapeList<N, T>& list) {
-        return list.visit([&]<class S>(std::span<const S> all) {
-          std::vector<S> part;
-          part.reserve(static_cast<std::size_t>(count));
-          for (py::ssize_t i = 0; i < count; ++i) part.push_back(all[static_cast<std::size_t>(place + i * step)]);
-          return boxed(HeldShapes{ShapeList<N, T>(std::move(part))});
-        });
-      },
-      shapes.any);
-}
-
-py::object element_of(const HeldShapes& shapes, const py::object& which) {
-  if (py::isinstance<py::slice>(which)) return part_of(shapes, which);
-  const py::ssize_t index = PyNumber_AsSsize_t(which.ptr(), PyExc_IndexError);
-  if (index == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
-  const py::ssize_t size = size_of(shapes);
-  const py::ssize_t place = index < 0 ? index + size : index;
-  if (place < 0 || place >= size)
-    throw py::index_error(fmt::format("Shapes has {} shapes, but the index is {}", size, index));
-  return std::visit(
-      [place]<Dim N, class T>(const ShapeList<N, T>& list) {
-        return python_shape<N, T>(list.any()[static_cast<std::size_t>(place)], "Shapes");
-      },
-      shapes.any);
-}
-
-bool are_equal(const HeldShapes& a, const HeldShapes& b) {
-  if (a.any.index() != b.any.index()) return false;
-  return std::visit(
-      [&b]<Dim N, class T>(const ShapeList<N, T>& list) {
-        const auto of_a = list.any();
-        const auto of_b = std::get<ShapeList<N, T>>(b.any).any();
-        return std::equal(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
-                          [](const auto& one, const auto& other) { return detail::compare<N, T>(one, other) == 0; });
-      },
-      a.any);
-}
-
-py::ssize_t hash_of(const HeldShapes& shapes) {
-  Hash hash;
-  hash.add(static_cast<std::uint64_t>(shapes.any.index()));
-  std::visit(
-      [&hash]<Dim N, class T>(const ShapeList<N, T>& list) {
-        for (const AnyShape<N, T>& shape : list.any()) hash.add<N, T>(shape);
-      },
-      shapes.any);
-  return hash.value();
-}
-
-World world_of(const HeldShapes& shapes) {
-  return std::visit([]<Dim N, class T>(const ShapeList<N, T>&) { return In<N, T>::world; }, shapes.any);
-}
-
-template <class Value>
-void add_equality(TypeMaker& maker) {
-  maker.method("__eq__", [](const Value& a, const py::object& b) -> py::object {
-    if (!is_boxed<Value>(b)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-    return py::bool_(are_equal(a, unboxed<Value>(b)));
-  });
-  maker.method("__hash__", [](const Value& value) { return hash_of(value); });
-}
-
-void add_shape_list(py::module_& module) {
-  TypeMaker maker = TypeMaker::of<HeldShapes>(
-      module, "graze.Shapes",
-      "Shapes(shapes, dimension=None, dtype=numpy.float64)\n--\n\nAn immutable sequence of shapes of one dimension "
-      "and dtype, which batches read without a copy; equal to others of the same dtype with equal shapes. "
-      "Types like Sphere make one from arrays: Sphere.many(centers, radii).");
-  maker.constructor(&shapes_from, py::arg("shapes"), py::arg("dimension") = py::none(), py::arg("dtype") = py::none());
-  maker.method("__len__", &size_of);
-  maker.method("__getitem__", &element_of, py::arg("index"));
-  add_equality<HeldShapes>(maker);
-  maker.method("__reduce__", [](const py::object& self) {
-    const HeldShapes& shapes = unboxed<HeldShapes>(self);
-    const World world = world_of(shapes);
-    const py::handle type = reinterpret_cast<PyObject*>(boxed_type<HeldShapes>);
-    if (size_of(shapes) > 0) return py::make_tuple(type, py::make_tuple(py::list(self)));
-    return py::make_tuple(type,
-                          py::make_tuple(py::list(), world.dimension, py::dtype(std::string(name_of_numbers(world)))));
-  });
-  maker.method("__repr__", [](const HeldShapes& shapes) {
-    const World world = world_of(shapes);
-    return fmt::format("<graze.Shapes: {} in {}D, {}>", size_of(shapes), world.dimension, name_of_numbers(world));
-  });
-  maker.property(
-      "dimension", [](const HeldShapes& shapes) { return world_of(shapes).dimension; }, "2 or 3");
-  maker.property(
-      "dtype", [](const HeldShapes& shapes) { return dtype_of(world_of(shapes)); }, "float32 or float64");
-  maker.finish();
-}
-
 }  // namespace
 
 std::string_view type_name_in_python(std::size_t alternative) { return name_in_module(shape_types[alternative].name); }
+
+py::object dtype_of(World world) { return py::dtype(std::string(name_of_numbers(world))); }
 
 World world_of(const HeldShape& shape) {
   return on_shape(shape, []<Dim N, class T>(const AnyShape<N, T>&) { return In<N, T>::world; });
@@ -444,7 +283,7 @@ void add_shapes(py::module_& module) {
                                             "never change. Shapes with equal fields are "
                                             "equal, and `repr` is an expression that makes the shape.");
   base.no_constructor("Shape is the base of the types of shapes: make a Sphere, an Obb, a Mesh or another");
-  add_equality<HeldShape>(base);
+  add_equality<HeldShape>(base, &are_equal, &hash_of);
   base.method("__repr__", &expression);
   base.method("__reduce__", &reduced);
   base.method("_repr_svg_", &svg_of_shape, "A picture of the shape.");

@@ -75,6 +75,7 @@ std::string described(const HeldShape& shape);
 
 /// "float32" or "float64"
 constexpr std::string_view name_of_numbers(World world) { return world.is_double ? "float64" : "float32"; }
+py::object dtype_of(World world);
 
 /// The world's number type from the argument `dtype`: anything that numpy.dtype accepts and that is float32 or float64.
 /// Throws TypeError for any other.
@@ -212,5 +213,6 @@ class ShapeSequence {
 };
 
 void add_shapes(py::module_& module);
+void add_shape_list(py::module_& module);
 
 }  // namespace graze::python
