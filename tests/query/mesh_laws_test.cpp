@@ -414,6 +414,8 @@ TYPED_TEST(SolidMesh, HasAContactWithJustWhatItMeets) {
       RC_ASSERT(contact(other, mesh).has_value() == meet);
       RC_ASSERT((manifold(mesh, other).size > 0) == meet);
       RC_ASSERT((separation(mesh, other).distance > T(0)) == !meet);
+      const auto impact = shape_cast(other, Vec<3, T>(T(0.5)), mesh);
+      RC_ASSERT(!meet || (impact && impact->t == T(0)));
     }
   });
 }

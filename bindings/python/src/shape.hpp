@@ -182,6 +182,8 @@ struct BoxedName<HeldShapes> {
   static constexpr auto name = py::detail::const_name("Shapes");
 };
 
+World world_of(const HeldShapes& shapes);
+
 /// The world of graze.Shapes, or of the first shape of a sequence. Throws TypeError for anything else, ValueError for
 /// an empty sequence.
 World world_of_shapes(const char* function, py::handle sequence);

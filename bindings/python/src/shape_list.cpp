@@ -90,11 +90,11 @@ py::ssize_t hash_of(const HeldShapes& shapes) {
   return hash.value();
 }
 
+}  // namespace
+
 World world_of(const HeldShapes& shapes) {
   return std::visit([]<Dim N, class T>(const ShapeList<N, T>&) { return In<N, T>::world; }, shapes.any);
 }
-
-}  // namespace
 
 void add_shape_list(py::module_& module) {
   TypeMaker maker = TypeMaker::of<HeldShapes>(
