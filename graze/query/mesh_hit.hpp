@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -38,6 +39,9 @@ double share_along(const Vec<N, double>& edge, const Vec<N, double>& from_start)
   return squared > 0 ? std::clamp(dot(edge, from_start) / squared, 0.0, 1.0) : 0;
 }
 
+inline double size_of_area(double area) { return std::fabs(area); }
+inline double size_of_area(const Vec<3, double>& area) { return max_abs(area); }
+
 inline double product(double a, double b) { return a * b; }
 inline double product(const Vec<3, double>& a, const Vec<3, double>& b) { return dot(a, b); }
 
@@ -45,21 +49,25 @@ inline double product(const Vec<3, double>& a, const Vec<3, double>& b) { return
 /// which has perhaps no area, those of the nearest point of its edges.
 template <Dim N, class T>
 Vec<3, T> barycentric_of(const Triangle<N, T>& triangle, const Vec<N, T>& point) {
-  const Vec<N, double> a = wide<N, T>(triangle.a);
-  // Scaled to a largest coordinate of 1, so that no square leaves the range of numbers.
-  Vec<N, double> to_b = wide<N, T>(triangle.b) - a;
-  Vec<N, double> to_c = wide<N, T>(triangle.c) - a;
-  Vec<N, double> to_point = wide<N, T>(point) - a;
+  const T largest = std::max({max_abs(triangle.a), max_abs(triangle.b), max_abs(triangle.c)});
+  const double scale = scale_to_moderate(static_cast<double>(largest));  // so that no difference overflows
+  const Vec<N, double> a = wide<N, T>(triangle.a) * scale;
+  Vec<N, double> to_b = wide<N, T>(triangle.b) * scale - a;
+  Vec<N, double> to_c = wide<N, T>(triangle.c) * scale - a;
+  Vec<N, double> to_point = wide<N, T>(point) * scale - a;
   const double size = std::max(max_abs(to_b), max_abs(to_c));
   if (!(size > 0)) return {T(1), T(0), T(0)};
+  // To a largest coordinate of 1, so that no square leaves the range of numbers.
   to_b /= size;
   to_c /= size;
   to_point /= size;
-  const auto area = accurate_cross(to_b, to_c);
-  const double squared = product(area, area);
-  if (squared > 0) {
-    const double of_b = product(accurate_cross(to_point, to_c), area) / squared;
-    const double of_c = product(accurate_cross(to_b, to_point), area) / squared;
+  auto area = accurate_cross(to_b, to_c);
+  const double height = size_of_area(area);
+  if (height > least_product_with_error) {
+    area /= height;
+    const double squared = product(area, area);
+    const double of_b = product(accurate_cross(to_point, to_c) / height, area) / squared;
+    const double of_c = product(accurate_cross(to_b, to_point) / height, area) / squared;
     const double of_a = 1 - of_b - of_c;
     if (of_a >= 0 && of_b >= 0 && of_c >= 0) return {static_cast<T>(of_a), static_cast<T>(of_b), static_cast<T>(of_c)};
   }

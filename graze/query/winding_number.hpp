@@ -15,6 +15,8 @@
 /// number along z, by less than that along y, and still less along x.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -23,6 +25,7 @@
 
 #include <graze/math/orientation.hpp>
 #include <graze/math/orientation_3d.hpp>
+#include <graze/math/rounding.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/parts/on_way.hpp>
 #include <graze/query/parts/visit.hpp>
@@ -61,17 +64,36 @@ int side_of_displaced(const Triangle<3, T>& face, const Vec<3, T>& point) {
   return side;
 }
 
+/// The power of two by which points are multiplied before they are asked for their orientation, whose products of
+/// coordinates may leave the range of double; 1 for usual ones.
+template <class T, class... Points>
+T scale_of_points([[maybe_unused]] const Points&... points) {
+  if constexpr (std::is_same_v<T, float>) {
+    return 1;
+  } else {
+    return scale_to_moderate(std::max({max_abs(points)...}));
+  }
+}
+
 /// 1 if a ray from a point along x leaves through a face, -1 if it enters, 0 if it does not pass.
 template <class T>
-int passage(const Triangle<3, T>& face, const Vec<3, T>& point) {
+int passage_in_range(const Triangle<3, T>& face, const Vec<3, T>& point) {
   const int turn =
       turn_around_displaced(seen_along(0, face.a), seen_along(0, face.b), seen_along(0, face.c), seen_along(0, point));
   return turn != 0 && side_of_displaced(face, point) == -turn ? turn : 0;
 }
 /// In 2D: the turn of the face that contains the point.
 template <class T>
-int passage(const Triangle<2, T>& face, const Vec<2, T>& point) {
+int passage_in_range(const Triangle<2, T>& face, const Vec<2, T>& point) {
   return turn_around_displaced(face.a, face.b, face.c, point);
+}
+
+/// The same for numbers of any size.
+template <Dim N, class T>
+int passage(const Triangle<N, T>& face, const Vec<N, T>& point) {
+  const T scale = scale_of_points<T>(face.a, face.b, face.c, point);
+  if (scale == 1) return passage_in_range(face, point);
+  return passage_in_range(Triangle<N, T>{face.a * scale, face.b * scale, face.c * scale}, Vec<N, T>(point * scale));
 }
 
 /// Whether a corner is at the displaced point or, seen from it, along x. The strips from there run through the point.
@@ -101,10 +123,12 @@ inline double half_angle_of_strip(Vec<3, double> u, Vec<3, double> v) {
 /// tells the sign where rounding hides it, so that the sum jumps exactly where the number of passages does.
 template <class T>
 double share_of_strip(const Vec<3, T>& a, const Vec<3, T>& b, const Vec<3, T>& point) {
-  const int turn = turn_to_displaced(seen_along(0, a), seen_along(0, b), seen_along(0, point));
+  const T scale = scale_of_points<T>(a, b, point);
+  const std::array<Vec<3, T>, 3> at = {a * scale, b * scale, point * scale};
+  const int turn = turn_to_displaced(seen_along(0, at[0]), seen_along(0, at[1]), seen_along(0, at[2]));
   if (turn == 0) return 0;
-  const Vec<3, double> from = wide<3, T>(point);
-  return turn * half_angle_of_strip(wide<3, T>(b) - from, wide<3, T>(a) - from) / (2 * std::numbers::pi);
+  const Vec<3, double> from = wide<3, T>(at[2]);
+  return turn * half_angle_of_strip(wide<3, T>(at[1]) - from, wide<3, T>(at[0]) - from) / (2 * std::numbers::pi);
 }
 
 /// The number of times the faces run around a point, without the strips of open edges.

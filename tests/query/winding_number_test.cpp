@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -167,6 +168,25 @@ TYPED_TEST(WindingNumber, IsHalfInTheMouthOfAHemisphereAndFadesOutside) {
   }
   EXPECT_TRUE(contains(open, Vec<3, T>(T(0), T(0), T(0.9))));
   EXPECT_FALSE(contains(open, Vec<3, T>(T(0), T(0), T(-1.5))));
+}
+
+/// As for shapes of the size of a kilometre, to the bit: open ones, too.
+TEST(WindingNumberOfAnySize, IsTheSame) {
+  rc::Random random(7);
+  const Mesh<3, double> ball = bumpy_ball<double>(8, 10, random);
+  const std::vector<MeshFace> most(ball.faces().begin() + 1, ball.faces().end());
+  const auto number = [&](double scale, std::span<const MeshFace> faces, const Vec<3, double>& point) {
+    std::vector<Vec<3, double>> vertices(ball.vertices().begin(), ball.vertices().end());
+    for (Vec<3, double>& vertex : vertices) vertex *= scale;
+    return winding_number(mesh_of<3, double>(vertices, faces), point * scale);
+  };
+  for (const Vec<3, double>& point :
+       {Vec<3, double>(0.5, 0.25, 0.125), {-1.5, 0.1, 0.2}, {0, 0, 0}, {0.1, 0.2, 1.25}, {-0.75, -0.25, 0.5}}) {
+    for (const double scale : {0x1p-900, 0x1p-365, 0x1p-290, 0x1p290, 0x1p342, 0x1p1000}) {
+      EXPECT_EQ(number(scale, ball.faces(), point), number(1, ball.faces(), point)) << scale;
+      EXPECT_EQ(number(scale, most, point), number(1, most, point)) << scale;
+    }
+  }
 }
 
 TYPED_TEST(WindingNumber, InThePlaneCountsFacesWithTheirTurn) {

@@ -100,7 +100,12 @@ struct LogText {
 };
 
 LogText log_text_of(std::string_view function, const py::object& log, const std::string& source) {
-  if (py::isinstance<py::str>(log) || py::isinstance<py::bytes>(log)) return {py::cast<std::string>(log), source};
+  if (py::isinstance<py::bytes>(log)) return {std::string(py::bytes(log)), source};
+  if (py::isinstance<py::str>(log)) {
+    const auto bytes = py::reinterpret_steal<py::object>(PyUnicode_AsUTF8String(log.ptr()));
+    if (!bytes) throw py::error_already_set();
+    return {std::string(py::bytes(bytes)), source};
+  }
   if (!py::hasattr(log, "__fspath__")) {
     throw py::type_error(fmt::format("{}: log is a {}; a pathlib.Path or the text of a log is needed", function,
                                      Py_TYPE(log.ptr())->tp_name));

@@ -295,7 +295,6 @@ void add_shapes(py::module_& module) {
   for (std::size_t alternative = 0; alternative < shape_types.size(); ++alternative)
     add_shape_type(module, alternative);
   base.finish();
-  add_shape_list(module);
 }
 
 #define GRAZE_PYTHON_SHAPES(N, T)                                           \

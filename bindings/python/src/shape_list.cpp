@@ -107,6 +107,7 @@ void add_shape_list(py::module_& module) {
   maker.method("__getitem__", &element_of, py::arg("index"));
   add_equality<HeldShapes>(maker, &are_equal, &hash_of);
   maker.method("__reduce__", [](const py::object& self) {
+    if (!is_boxed<HeldShapes>(self)) throw py::type_error("the object is no graze.Shapes");
     const HeldShapes& shapes = unboxed<HeldShapes>(self);
     const World world = world_of(shapes);
     const py::handle type = reinterpret_cast<PyObject*>(boxed_type<HeldShapes>);

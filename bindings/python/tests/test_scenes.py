@@ -151,6 +151,8 @@ class SceneTest(unittest.TestCase):
                 graze.replay(path)
             with self.assertRaisesRegex(TypeError, "replay: log"):
                 graze.replay(7)
+            with self.assertRaises(UnicodeEncodeError):
+                graze.replay("\ud800")
             self.assertEqual(report.differing, 0)
             self.assertEqual(report.calls, text.count('"call"'))
             self.assertEqual(text.count('{"refused"'), 1)

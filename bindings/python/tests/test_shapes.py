@@ -167,6 +167,9 @@ class ShapesTest(unittest.TestCase):
                 spheres[index]
         with self.assertRaises(ValueError):
             spheres[::0]
+        for method in (graze.Shapes.__reduce__, graze.Shapes.__len__, graze.Shapes.__hash__):
+            with self.assertRaises(TypeError):
+                method(object())
 
     def test_reflections_are_no_poses(self):
         cube = graze.Mesh(CUBE, FACES, kind="solid")

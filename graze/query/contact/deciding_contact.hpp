@@ -82,15 +82,32 @@ class MayDecideContact {
   double slack_;
 };
 
+/// The numbers with which a half-space ends at a point: a normal of T, and dot(normal, point) before rounding to T. The
+/// normal is shortened if that would overflow.
+template <class T>
+struct EndAt {
+  EndAt(const Vec<3, double>& direction, const Vec<3, double>& point) {
+    const bool is_huge = max_abs(point) > static_cast<double>(std::numeric_limits<T>::max()) / 4;
+    normal = Vec<3, T>(direction / max_abs(direction)) * (is_huge ? T(0.25) : T(1));
+    offset = dot(wide<3, T>(normal), point);
+  }
+
+  Vec<3, T> normal;
+  double offset;
+};
+
 /// The half-space of which a face is part of the boundary, with the faces' outside outside; none for a flat face.
 template <class T>
 std::optional<HalfSpace<3, T>> half_space_behind(const Triangle<3, T>& face) {
   const Vec<3, double> a = wide<3, T>(face.a);
-  Vec<3, double> normal = accurate_cross(wide<3, T>(face.b) - a, wide<3, T>(face.c) - a);
+  const Vec<3, double> to_b = wide<3, T>(face.b) - a;
+  const Vec<3, double> to_c = wide<3, T>(face.c) - a;
+  const double scale = scale_to_moderate(std::max(max_abs(to_b), max_abs(to_c)));
+  const Vec<3, double> normal = accurate_cross(to_b * scale, to_c * scale);
   const double size = max_abs(normal);
   if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
-  const Vec<3, T> rounded(normal / size);
-  return HalfSpace<3, T>{rounded, static_cast<T>(dot(wide<3, T>(rounded), a))};
+  const EndAt<T> end(normal, a);
+  return HalfSpace<3, T>{end.normal, static_cast<T>(end.offset)};
 }
 
 /// The half-space that ends at the nearest point of a face, as seen from a point, which it contains.
@@ -99,10 +116,8 @@ HalfSpace<3, T> half_space_up_to(const Triangle<3, T>& face, const Vec<3, T>& po
   const Vec<3, double> nearest = wide<3, T>(closest_point(face, point));
   const Vec<3, double> from = wide<3, T>(point);
   const Vec<3, double> way = nearest - from;
-  const double size = max_abs(way);
-  const Vec<3, T> normal = size > 0 ? Vec<3, T>(way / size) : unit_axis<3, T>(0);
-  const Vec<3, double> rounded = wide<3, T>(normal);
-  return {normal, round_up<T>(std::max(dot(rounded, nearest), dot(rounded, from)))};
+  const EndAt<T> end(max_abs(way) > 0 ? way : unit_axis<3>(0), nearest);
+  return {end.normal, round_up<T>(std::max(end.offset, dot(wide<3, T>(end.normal), from)))};
 }
 
 /// The contact of a solid mesh. If the center of the shape's box is outside, the faces push as those of a surface do.

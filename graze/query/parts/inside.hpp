@@ -2,6 +2,7 @@
 // Whether a shape lies inside a solid mesh, if it touches none of its faces.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
@@ -11,6 +12,7 @@
 #include <graze/query/parts/visit.hpp>
 #include <graze/query/winding_number.hpp>
 #include <graze/shape/any_shape.hpp>
+#include <graze/shape/fields/nan_check.hpp>
 #include <graze/shape/fields/visit.hpp>
 #include <graze/shape/shape.hpp>
 
@@ -74,6 +76,7 @@ std::optional<Vec<N, T>> point_inside(const Mesh<N, T>& mesh, const S& shape) {
       if (point) return point;
     }
   } else if constexpr (!HasNoEnd<S>) {
+    if (std::isnan(numbers_of(shape))) return std::nullopt;
     const Vec<N, T> point = point_in(shape);
     if (is_inside(mesh, point)) return point;
   }
