@@ -58,6 +58,25 @@ def callables(chance):
 
 
 class FuzzTest(unittest.TestCase):
+    def test_methods_refuse_what_is_not_of_their_type(self):
+        others = [object(), 1.5, 7, b"\xff" * 100, np.full(100, -1), None, SHAPES[0], graze.Shapes(SHAPES[:1]), graze.Scene()]
+        types = [each for each in map(graze.__dict__.get, graze.__all__) if isinstance(each, type)]
+        called = 0
+        for owner in types:
+            for name in [name for name in vars(owner) if name in SPECIAL or name not in dir(type)]:
+                method = vars(owner)[name]
+                method = method.fget if isinstance(method, property) else method
+                if not callable(method):
+                    continue
+                for other in others:
+                    for arguments in ((), (0,), (None,)):
+                        called += 1
+                        try:
+                            method(other, *arguments)
+                        except Exception:  # of any kind, but the process goes on
+                            pass
+        self.assertGreater(called, 1000)
+
     def test_every_call_returns_or_raises_an_exception(self):
         seed = random.randrange(10**9)
         chance = random.Random(seed)
