@@ -86,10 +86,12 @@ class MayDecideContact {
 /// normal is shortened if that would overflow.
 template <class T>
 struct EndAt {
-  EndAt(const Vec<3, double>& direction, const Vec<3, double>& point) {
-    const bool is_huge = max_abs(point) > static_cast<double>(std::numeric_limits<T>::max()) / 4;
-    normal = Vec<3, T>(direction / max_abs(direction)) * (is_huge ? T(0.25) : T(1));
-    offset = dot(wide<3, T>(normal), point);
+  EndAt(const Vec<3, double>& direction, const Vec<3, double>& point)
+      : normal(Vec<3, T>(direction / max_abs(direction)) * (is_huge(point) ? T(0.25) : T(1))),
+        offset(dot(wide<3, T>(normal), point)) {}
+
+  static bool is_huge(const Vec<3, double>& point) {
+    return max_abs(point) > static_cast<double>(std::numeric_limits<T>::max()) / 4;
   }
 
   Vec<3, T> normal;
