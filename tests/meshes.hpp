@@ -17,6 +17,8 @@
 #include <graze/shape/mesh.hpp>
 #include <graze/shape/polytope.hpp>
 
+#include "catalogue/numbers.hpp"
+
 namespace graze::test {
 
 using MeshFace = std::array<std::uint32_t, 3>;
@@ -73,11 +75,19 @@ Mesh<3, T> ring_mesh(std::uint32_t around, std::uint32_t across, MeshKind kind =
   });
 }
 
+/// All coordinates between -size and size.
+template <class T>
+Vec<3, T> point_in_cube(rc::Random& random, T size) {
+  Vec<3, T> point;
+  for (Dim i = 0; i < 3; ++i) point[i] = size * static_cast<T>(between(random, -1, 1));
+  return point;
+}
+
 /// A ball whose vertices are at random distances, from 0.7 to 1.3, from the origin: not convex, and all of it is seen
 /// from there.
 template <class T>
 Mesh<3, T> bumpy_ball(std::uint32_t rows, std::uint32_t columns, rc::Random random, MeshKind kind = MeshKind::solid) {
-  const auto noise = [&random] { return 0.7 + 0.6 * static_cast<double>(random.next() >> 11U) * 0x1p-53; };
+  const auto noise = [&random] { return between(random, 0.7, 1.3); };
   std::vector<Vec<3, T>> vertices = {Vec<3, T>(Vec<3, double>(0, 0, 1) * noise())};
   std::vector<MeshFace> faces;
   for (std::uint32_t i = 1; i < rows; ++i) {

@@ -43,7 +43,9 @@
 /// into another. A mesh counts as the compound of its faces. But a solid in 3D that holds the center of the shape's box
 /// pushes the shape out to the plane of a face, with its normal rounded to T: the least deep of those that it touches
 /// and the one nearest to the center. So the move takes a shape out of the faces nearby, but perhaps into others. Where
-/// a face nearby is turned around or flat, a shape that touches none is pushed straight to the nearest.
+/// a face nearby is turned around or flat, a shape that touches none is pushed straight to the nearest. A ray in an
+/// open solid may run into such a plane; then its depth is infinite.
+///
 /// Swapping the arguments swaps the points, negates the normal and changes no bit of anything else, except for two
 /// equal shapes.
 ///

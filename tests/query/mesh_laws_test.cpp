@@ -197,16 +197,7 @@ TEST(MeshHit, OfAThinOrHugeFaceHasTheWeightsOfItsPoint) {
 }
 
 template <class T>
-class SolidMesh : public testing::Test {
- public:
-  using Point = Vec<3, T>;
-  static T share(rc::Random& random) { return static_cast<T>(static_cast<double>(random.next() >> 11U) * 0x1p-53); }
-  static Point point_in_cube(rc::Random& random, T size) {
-    Point point;
-    for (Dim i = 0; i < 3; ++i) point[i] = size * (2 * share(random) - 1);
-    return point;
-  }
-};
+class SolidMesh : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(SolidMesh, Scalars);
 
@@ -248,7 +239,7 @@ TYPED_TEST(SolidMesh, OfAHullHasItsMassAndItsInside) {
   check_property([] {
     rc::Random random(*rc::gen::arbitrary<std::uint64_t>());
     std::vector<Vec<3, T>> points(4 + random.next() % 30);
-    for (Vec<3, T>& point : points) point = TestFixture::point_in_cube(random, T(1));
+    for (Vec<3, T>& point : points) point = point_in_cube(random, T(1));
     const Polytope<3, T> hull = convex_hull<3, T>(points);
     const Mesh<3, T> mesh = hull_mesh(hull);
     const MassProperties<3> expected = mass_properties(hull);
@@ -256,7 +247,7 @@ TYPED_TEST(SolidMesh, OfAHullHasItsMassAndItsInside) {
     RC_ASSERT(std::fabs(found.volume - expected.volume) < 1e-12);
     RC_ASSERT(max_abs(found.centroid - expected.centroid) < 1e-9);
     for (int i = 0; i < 20; ++i) {
-      const Vec<3, T> point = TestFixture::point_in_cube(random, T(1));
+      const Vec<3, T> point = point_in_cube(random, T(1));
       if (std::fabs(signed_distance(hull, point)) < T(1e-5)) continue;
       RC_ASSERT(contains(mesh, point) == contains(hull, point));
       const Sphere<3, T> ball{point, T(0.05)};
@@ -274,12 +265,12 @@ TYPED_TEST(SolidMesh, LetsNoRayOut) {
   for (std::uint64_t seed = 1; shot < rays; ++seed) {
     rc::Random random(seed);
     const Mesh<3, T> ball = bumpy_ball<T>(12, 16, random, MeshKind::surface);
-    const Vec<3, T> origin = TestFixture::point_in_cube(random, T(0.3));
+    const Vec<3, T> origin = point_in_cube(random, T(0.3));
     for (std::size_t face = 0; face < ball.faces().size(); ++face, ++shot) {
       const Triangle<3, T> triangle = ball.triangle(face);
-      const T along = TestFixture::share(random);
+      const T along = static_cast<T>(between(random, 0, 1));
       const Vec<3, T> target = face % 2 == 0 ? triangle.a : triangle.a + along * (triangle.b - triangle.a);
-      const Ray<3, T> ray{origin, (target - origin) * (T(0.1) + 5 * TestFixture::share(random))};
+      const Ray<3, T> ray{origin, (target - origin) * (T(0.1) + 5 * static_cast<T>(between(random, 0, 1)))};
       ASSERT_TRUE(ray_cast(ball, ray).has_value()) << to_source(ray) << " leaves the ball of seed " << seed;
       ASSERT_TRUE(intersects(ball, ray)) << to_source(ray);
     }

@@ -27,16 +27,7 @@ namespace graze::test::solid_contact_laws_test {
 namespace {
 
 template <class T>
-class SolidContact : public testing::Test {
- public:
-  using Point = Vec<3, T>;
-  static T share(rc::Random& random) { return static_cast<T>(static_cast<double>(random.next() >> 11U) * 0x1p-53); }
-  static Point point_in_cube(rc::Random& random, T size) {
-    Point point;
-    for (Dim i = 0; i < 3; ++i) point[i] = size * (2 * share(random) - 1);
-    return point;
-  }
-};
+class SolidContact : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(SolidContact, Scalars);
 
@@ -47,7 +38,7 @@ TYPED_TEST(SolidContact, PushesABallOutOfABoxAsTheBoxDoes) {
   const Mesh<3, T> mesh = box_mesh(box);
   check_property([&] {
     rc::Random random(*rc::gen::arbitrary<std::uint64_t>());
-    const Sphere<3, T> ball{TestFixture::point_in_cube(random, T(3)), TestFixture::share(random)};
+    const Sphere<3, T> ball{point_in_cube(random, T(3)), static_cast<T>(between(random, 0, 1))};
     const auto expected = contact(box, ball);
     const auto found = contact(mesh, ball);
     RC_LOG() << to_source(ball) << "\n";
@@ -165,7 +156,7 @@ TYPED_TEST(SolidContact, HasAContactWithJustWhatItMeets) {
   check_property([] {
     rc::Random random(*rc::gen::arbitrary<std::uint64_t>());
     std::vector<Vec<3, T>> vertices(4 + random.next() % 8);
-    for (Vec<3, T>& vertex : vertices) vertex = TestFixture::point_in_cube(random, T(1));
+    for (Vec<3, T>& vertex : vertices) vertex = point_in_cube(random, T(1));
     std::vector<MeshFace> faces(1 + random.next() % 12);
     for (MeshFace& face : faces) {
       for (std::uint32_t& vertex : face) vertex = static_cast<std::uint32_t>(random.next() % vertices.size());
@@ -173,12 +164,11 @@ TYPED_TEST(SolidContact, HasAContactWithJustWhatItMeets) {
     const AnyShape<3, T> mesh = mesh_of<3, T>(vertices, faces, MeshKind::solid);
     for (int i = 0; i < 40; ++i) {
       const Source<3, T> from = draw_source<3, T>();
-      AnyShape<3, T> other = TestFixture::point_in_cube(random, T(1));
-      if (i % 4 == 1)
-        other = Sphere<3, T>{TestFixture::point_in_cube(random, T(1)), T(0.1) * TestFixture::share(random)};
+      AnyShape<3, T> other = point_in_cube(random, T(1));
+      if (i % 4 == 1) other = Sphere<3, T>{point_in_cube(random, T(1)), T(0.1) * static_cast<T>(between(random, 0, 1))};
       if (i % 4 == 2) {
-        const Vec<3, T> center = TestFixture::point_in_cube(random, T(1));
-        const auto corner = [&] { return center + T(0.3) * TestFixture::point_in_cube(random, T(1)); };
+        const Vec<3, T> center = point_in_cube(random, T(1));
+        const auto corner = [&] { return center + T(0.3) * point_in_cube(random, T(1)); };
         other = Triangle<3, T>{corner(), corner(), corner()};
       }
       if (i % 4 == 3) other = draw_shape<3, T>(from, 1);

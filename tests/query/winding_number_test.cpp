@@ -170,7 +170,7 @@ TYPED_TEST(WindingNumber, IsHalfInTheMouthOfAHemisphereAndFadesOutside) {
   EXPECT_FALSE(contains(open, Vec<3, T>(T(0), T(0), T(-1.5))));
 }
 
-/// As for shapes of the size of a kilometre, to the bit: open ones, too.
+/// Scaling by a power of two changes no bit, also of the number of an open mesh.
 TEST(WindingNumberOfAnySize, IsTheSame) {
   rc::Random random(7);
   const Mesh<3, double> ball = bumpy_ball<double>(8, 10, random);
