@@ -3,7 +3,6 @@
 #include "query/published_cases.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -12,7 +11,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -52,9 +50,7 @@ std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   std::istringstream words{std::string(text)};
   for (std::string word; words >> word;) {
-    double x = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
-    if (error == std::errc() && end == word.data() + word.size()) numbers.push_back(x);
+    if (const auto x = number_in<double>(word)) numbers.push_back(*x);
   }
   return numbers;
 }

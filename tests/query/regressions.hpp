@@ -16,15 +16,15 @@
 // shortest decimals that read back as the same.
 #pragma once
 
-#include <charconv>
 #include <cstddef>
+#include <cstdlib>
 #include <fstream>
 #include <istream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -90,16 +90,29 @@ std::string shape_text(AnyShape<N, T> shape) {
   return text;
 }
 
+/// The number that a whole word is. libc++ 14 has no std::from_chars for float and double.
+template <class Number>
+std::optional<Number> number_in(const std::string& word) {
+  char* end = nullptr;
+  Number x{};
+  if constexpr (std::is_same_v<Number, float>) {
+    x = std::strtof(word.c_str(), &end);
+  } else if constexpr (std::is_same_v<Number, double>) {
+    x = std::strtod(word.c_str(), &end);
+  } else {
+    x = static_cast<Number>(std::strtoull(word.c_str(), &end, 10));
+  }
+  if (word.empty() || end != word.c_str() + word.size()) return std::nullopt;
+  return x;
+}
+
 template <class Number>
 Number read_number(std::istream& words) {
   std::string word;
   words >> word;
-  Number x{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
-  if (error != std::errc() || end != word.data() + word.size()) {
-    throw std::runtime_error("regressions: \"" + word + "\" is not a number");
-  }
-  return x;
+  const std::optional<Number> number = number_in<Number>(word);
+  if (!number) throw std::runtime_error("regressions: \"" + word + "\" is not a number");
+  return *number;
 }
 
 /// The default value of the type with this name.
