@@ -37,6 +37,7 @@ TESTED_ELSEWHERE = {
     "graze/shape/mesh/open_edges.hpp": ("tests/shape/mesh_report_test.cpp", "counted by report"),
     "graze/shape/mesh/placed_mesh.hpp": ("tests/shape/mesh_test.cpp", "what a mesh points to"),
     "graze/shape/parts/reach_lanes.hpp": ("tests/shape/mesh_test.cpp", "the boxes of moved meshes"),
+    "graze/shape/parts/box_visit.hpp": ("tests/shape/parts/part_tree_test.cpp", "BoxTree::visit"),
     "graze/shape/parts/may_matter.hpp": ("tests/shape/parts/part_tree_test.cpp", "what a tree asks about its boxes"),
     "graze/shape/parts/pieces.hpp": ("tests/shape/mesh_test.cpp", "the same mesh from every executor"),
     "graze/shape/parts/grown_box.hpp": ("tests/query/bounds_test.cpp", "touching_bounds"),

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <type_traits>
 #include <vector>
 
 #include <graze/broad/batch/answers.hpp>
+#include <graze/broad/batch/neighbours.hpp>
 #include <graze/math/vec.hpp>
 #include <graze/query/closest_point.hpp>
+#include <graze/query/signed_distance.hpp>
 #include <graze/shape/mesh.hpp>
 
 namespace graze {
@@ -18,8 +21,11 @@ namespace graze {
 template <Dim N, class T>
 std::vector<Vec<N, T>> closest_points(const Mesh<N, T>& mesh, std::type_identity_t<std::span<const Vec<N, T>>> points,
                                       const BatchOptions& options = {}) {
-  return detail::answers<Vec<N, T>>(points.size(), options,
-                                    [&](std::size_t i) { return closest_point(mesh, points[i]); });
+  return detail::answers_by_neighbours<Vec<N, T>>(
+      points, options, [&mesh](const auto& piece, const auto& indices, Vec<N, T>* answers) {
+        std::size_t guess = detail::DecidingPart::no_part;  // the face that is nearest to the last point
+        for (const std::uint32_t i : indices) answers[i] = detail::closest_point_of_mesh(mesh, piece[i], guess);
+      });
 }
 
 }  // namespace graze

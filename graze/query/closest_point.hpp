@@ -191,20 +191,29 @@ Vec<N, T> closest_point_of(const AnyShape<N, T>& shape, const Vec<N, T>& point) 
   return detail::visit([&point](const auto& held) { return closest_point_of(held, point); }, shape);
 }
 
-template <Dim N, class T, template <Dim, class> class Whole>
-Vec<N, T> closest_point_of_parts(const Whole<N, T>& whole, const Vec<N, T>& point) {
-  if (is_held(whole, point)) return point;
-  const DecidingPart found = deciding_part(whole, point);
-  return found.index != DecidingPart::no_part ? closest_point_of(part_of(whole, found.index), point) : nowhere<N, T>();
+template <Dim N, class T>
+Vec<N, T> closest_point_of(const Compound<N, T>& compound, const Vec<N, T>& point) {
+  if (is_held(compound, point)) return point;
+  const DecidingPart found = deciding_part(compound, point);
+  return found.index != DecidingPart::no_part ? closest_point_of(part_of(compound, found.index), point)
+                                              : nowhere<N, T>();
+}
+
+/// That of the nearest face, which is faster to find with a `guess`; the point itself if the mesh contains it.
+template <Dim N, class T>
+Vec<N, T> closest_point_of_mesh(const Mesh<N, T>& mesh, const Vec<N, T>& point, std::size_t& guess) {
+  if (is_inside(mesh, point)) return point;
+  const DecidingPart found = deciding_part(mesh, point, guess);
+  guess = found.index;
+  if (found.index == DecidingPart::no_part) return nowhere<N, T>();
+  if (is_on_face(mesh, point, found.distance)) return point;
+  return closest_point_of(mesh.triangle(found.index), point);
 }
 
 template <Dim N, class T>
-Vec<N, T> closest_point_of(const Compound<N, T>& compound, const Vec<N, T>& point) {
-  return closest_point_of_parts(compound, point);
-}
-template <Dim N, class T>
 Vec<N, T> closest_point_of(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
-  return closest_point_of_parts(mesh, point);
+  std::size_t guess = DecidingPart::no_part;
+  return closest_point_of_mesh(mesh, point, guess);
 }
 
 }  // namespace detail

@@ -333,16 +333,28 @@ bool is_held(const Compound<N, T>& compound, const Vec<N, T>& point) {
   return is_found;
 }
 
-/// The faces first, because a point on one is contained even if it is outside by a rounding error.
+/// Whether a point is on a face, up to the tolerance.
 template <Dim N, class T>
-bool is_held(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
+bool is_on_face(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
   bool is_found = false;
   const MayBeNear<N, T> may_be_near{point};
   visit_parts(mesh, may_be_near, ByKey(), [&](const FacePart<N, T>& face, std::size_t) {
     is_found = is_held(face.shape, point);
     return !is_found;
   });
-  return is_found || is_inside(mesh, point);
+  return is_found;
+}
+
+/// The same for a point at this distance from the nearest face.
+template <Dim N, class T>
+bool is_on_face(const Mesh<N, T>& mesh, const Vec<N, T>& point, double distance) {
+  return distance <= 2 * forgiven_outside(placed(mesh).box(), point) && is_on_face(mesh, point);
+}
+
+/// A point on a face is contained even if it is outside by a rounding error.
+template <Dim N, class T>
+bool is_held(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
+  return is_on_face(mesh, point) || is_inside(mesh, point);
 }
 
 /// Whether the query accepts the shape. A user's type without `defect` counts as valid.

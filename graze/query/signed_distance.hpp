@@ -19,6 +19,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -103,21 +104,99 @@ struct DecidingPart {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// The part with the least signed distance, of several the first. Parts whose boxes are farther away are skipped, which
-/// is faster with a `guess`, the index of a part that may be near.
-template <Dim N, class T, template <Dim, class> class Whole>
-DecidingPart deciding_part(const Whole<N, T>& whole, const Vec<N, T>& point,
-                           std::size_t guess = DecidingPart::no_part) {
-  DecidingPart best;
-  if (guess != DecidingPart::no_part) best = {guess, distance_of_part(part_of(whole, guess), point)};
-  MayBeNear<N, T> may_be_nearer{point, std::max(best.distance, 0.0)};
-  visit_parts(whole, may_be_nearer, ByKey(), [&](const auto& part, std::size_t index) {
-    const double distance = distance_of_part(part.shape, point);
-    if (distance < best.distance || (distance == best.distance && index < best.index)) best = {index, distance};
-    may_be_nearer.distance = std::max(best.distance, 0.0);
+/// Looks for the part with the least signed distance, of several the first.
+template <Dim N, class T>
+class PartSearch {
+ public:
+  explicit PartSearch(const Vec<N, T>& point) : near_{point, std::numeric_limits<double>::infinity()} {}
+
+  const DecidingPart& best() const { return best_; }
+  MayBeNear<N, T>& near() { return near_; }
+
+  template <class Part>
+  void add(const Part& part, std::size_t index) {
+    const double distance = distance_of_part(part, near_.point);
+    if (distance < best_.distance || (distance == best_.distance && index < best_.index)) best_ = {index, distance};
+    near_.distance = std::min(near_.distance, std::max(best_.distance, 0.0));
+  }
+
+ private:
+  DecidingPart best_;
+  MayBeNear<N, T> near_;
+};
+
+template <Dim N, class T>
+DecidingPart deciding_part(const Compound<N, T>& compound, const Vec<N, T>& point) {
+  PartSearch<N, T> search(point);
+  visit_parts(compound, search.near(), ByKey(), [&](const Part<N, T>& part, std::size_t index) {
+    search.add(part.shape, index);
     return true;
   });
-  return best;
+  return search.best();
+}
+
+/// The faces that may be the nearest to a point, and their keys. They are decided last, when the distance of the
+/// nearest is known up to the rounding errors of T.
+template <Dim N, class T>
+class FaceSearch {
+ public:
+  FaceSearch(const PlacedMesh<N, T>& faces, const Vec<N, T>& point)
+      : faces_(faces),
+        search_(point),
+        forgiven_(forgiven_outside(faces.at_place(faces.data()->tree().around()), point)) {}
+
+  void add(std::size_t face) { search_.add(faces_.triangle(face), face); }
+
+  DecidingPart find() {
+    for (const std::uint32_t face : faces_.data()->tree().unbounded()) add(face);
+    visit_faces(faces_, MayBeNearestFace<N, T>{search_.near()}, ByKey(), Visit{*this});
+    decide();
+    return search_.best();
+  }
+
+ private:
+  struct Candidate {
+    std::uint32_t face;
+    std::size_t place;  ///< In the tree.
+    T key;
+  };
+
+  struct Visit {
+    bool operator()(std::uint32_t face, std::size_t place) const {
+      search.search_.add(search.faces_.triangle_in_tree(place), face);
+      return true;
+    }
+    bool operator()(std::uint32_t face, std::size_t place, T key) const {
+      if (search.count_ == search.candidates_.size()) search.decide();
+      search.candidates_[search.count_++] = {face, place, key};
+      return true;
+    }
+
+    FaceSearch& search;
+  };
+
+  /// The last first, which are the nearest.
+  void decide() {
+    while (count_ > 0) {
+      const Candidate& last = candidates_[--count_];
+      if (last.key > most_squared<T>(search_.near().distance + forgiven_)) continue;
+      search_.add(faces_.triangle_in_tree(last.place), last.face);
+    }
+  }
+
+  const PlacedMesh<N, T>& faces_;
+  PartSearch<N, T> search_;
+  double forgiven_;
+  std::array<Candidate, 32> candidates_;
+  std::size_t count_ = 0;
+};
+
+/// Faster with a `guess`, the index of a face that may be near.
+template <Dim N, class T>
+DecidingPart deciding_part(const Mesh<N, T>& mesh, const Vec<N, T>& point, std::size_t guess = DecidingPart::no_part) {
+  FaceSearch<N, T> search(placed(mesh), point);
+  if (guess != DecidingPart::no_part) search.add(guess);
+  return search.find();
 }
 
 template <Dim N, class T>
@@ -125,13 +204,29 @@ double signed_distance_of(const Compound<N, T>& compound, const Vec<N, T>& point
   return deciding_part(compound, point).distance;
 }
 
-/// That of the nearest face; only a solid in 3D has more inside than its faces.
+/// That of the nearest face, which is faster to find with a `guess`, and becomes the next one. Only a solid in 3D has
+/// more inside than its faces.
 template <Dim N, class T>
-double signed_distance_of(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
-  const double distance = deciding_part(mesh, point).distance;
+double signed_distance_of_mesh(const Mesh<N, T>& mesh, const Vec<N, T>& point, std::size_t& guess) {
+  const DecidingPart nearest = deciding_part(mesh, point, guess);
+  guess = nearest.index;
+  const double distance = nearest.distance;
   if (N == 2 || mesh.kind() == MeshKind::surface) return distance;
   if (is_inside(mesh, point)) return -distance;
-  return with_sign(distance, distance <= 0 || is_held(mesh, point));
+  return with_sign(distance, distance <= 0 || is_on_face(mesh, point, distance));
+}
+
+template <Dim N, class T>
+double signed_distance_of(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
+  std::size_t guess = DecidingPart::no_part;
+  return signed_distance_of_mesh(mesh, point, guess);
+}
+
+/// In T: never minus zero, and zero only for zero.
+template <class T>
+T rounded_distance(double distance) {
+  const T rounded = static_cast<T>(distance) + T(0);
+  return distance > 0 && rounded == T(0) ? std::numeric_limits<T>::denorm_min() : rounded;
 }
 
 }  // namespace detail
@@ -144,9 +239,7 @@ template <Shape S, PointIn<S> P = PointOf<S>>
 scalar_of<S> signed_distance(const S& shape, const P& point) {
   assert(detail::is_accepted(shape));
   using T = scalar_of<S>;
-  const double distance = detail::signed_distance_of(shape, point);
-  const T rounded = static_cast<T>(distance) + T(0);  // never minus zero
-  return distance > 0 && rounded == T(0) ? std::numeric_limits<T>::denorm_min() : rounded;
+  return detail::rounded_distance<T>(detail::signed_distance_of(shape, point));
 }
 
 GRAZE_DECLARE_INSTANCES(GRAZE_SIGNED_DISTANCE_INSTANCES)

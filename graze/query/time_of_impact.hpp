@@ -258,15 +258,19 @@ class MayTouchInMotion {
   /// Ends the motion at t.
   void end_at(double t) { end_ = t; }
 
-  bool operator()(const Aabb<N, T>& box) const {
-    if (!is_bounded(other_) || !is_bounded(box) || !are_usual(other_, box)) return true;
+  /// When the spheres touch first; NaN if they do not.
+  double key(const Aabb<N, T>& box) const {
+    if (!is_bounded(other_) || !is_bounded(box) || !are_usual(other_, box)) return 0;
     const Motion<N, double> about_a = centered(motion_, box);
     const Motion<N, double> about_b = centered(motion_of_other_, other_);
     const double reach_a = reach_from(about_a.center, box);
     const Trajectory<N> trajectory = trajectory_of(about_a, about_b, reach_a, 0.0);
     const std::optional<double> start = time_of_spheres(trajectory, reach_a + reach_from(about_b.center, other_));
-    return start && *start <= end_;
+    return start.value_or(std::numeric_limits<double>::quiet_NaN());
   }
+  bool admits(double key) const { return key <= end_; }
+
+  bool operator()(const Aabb<N, T>& box) const { return admits(key(box)); }
   bool operator()(const Part<N, T>& part) const { return (*this)(touching_bounds(part.box)); }
 
  private:
@@ -293,7 +297,7 @@ std::optional<CastHit<N>> cast_hit_of_moving_parts(const Whole<N, T>& whole, con
     may_touch.end_at(found->t);
     return true;
   };
-  visit_parts(whole, may_touch, NearBox<N, T>{box}, PartVisitor<Whole<N, T>>(visit));
+  visit_parts(whole, may_touch, ByKey(), PartVisitor<Whole<N, T>>(visit));
   return best;
 }
 

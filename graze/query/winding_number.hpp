@@ -142,6 +142,19 @@ int passages(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
   return sum;
 }
 
+/// What the strips of open edges contribute.
+template <Dim N, class T>
+double share_of_strips([[maybe_unused]] const Mesh<N, T>& mesh, [[maybe_unused]] const Vec<N, T>& point) {
+  double sum = 0;
+  if constexpr (N == 3) {
+    const PlacedMesh<N, T>& faces = placed(mesh);
+    for (const OpenEdge& edge : faces.data()->open_edges()) {
+      sum += edge.count * share_of_strip(faces.vertex(edge.from), faces.vertex(edge.to), point);
+    }
+  }
+  return sum;
+}
+
 }  // namespace detail
 
 /// How often the faces of a mesh run around a point: the generalized winding number, also of surfaces that are open or
@@ -150,16 +163,7 @@ int passages(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
 /// for a mesh without faces. Coordinates that differ by more than a factor of 1e120 may count as equal.
 template <Dim N, class T>
 double winding_number(const Mesh<N, T>& mesh, const std::type_identity_t<Vec<N, T>>& point) {
-  double result = detail::passages(mesh, point);
-  if constexpr (N == 3) {
-    const detail::PlacedMesh<N, T>& faces = detail::placed(mesh);
-    double of_strips = 0;
-    for (const detail::OpenEdge& edge : faces.data()->open_edges()) {
-      of_strips += edge.count * detail::share_of_strip(faces.vertex(edge.from), faces.vertex(edge.to), point);
-    }
-    result -= of_strips;
-  }
-  return result;
+  return detail::passages(mesh, point) - detail::share_of_strips(mesh, point);
 }
 
 namespace detail {

@@ -2,6 +2,7 @@
 // Sixteen numbers at a time, in the widest vectors of the processor: the numbers of a row, and a bit for each lane.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -19,6 +20,15 @@ inline constexpr std::size_t row_length = 16;
 /// Sixteen numbers in memory.
 template <class T>
 using Row = std::array<T, row_length>;
+
+/// The least of a row without NaN.
+template <class T>
+T least_of(Row<T> row) {
+  for (std::size_t half = row_length / 2; half > 0; half /= 2) {
+    for (std::size_t lane = 0; lane < half; ++lane) row[lane] = std::min(row[lane], row[lane + half]);
+  }
+  return row[0];
+}
 
 /// Bit i belongs to lane i.
 using LaneMask = std::uint32_t;

@@ -82,12 +82,4 @@ struct MayBeNearest {
   const NearestPart<N>& best;
 };
 
-/// For `visit_parts`: boxes by their distance from another.
-template <Dim N, class T>
-struct NearBox {
-  double operator()(const Aabb<N, T>& other) const { return distance_squared(other, box); }
-
-  const Aabb<N, T>& box;
-};
-
 }  // namespace graze::detail

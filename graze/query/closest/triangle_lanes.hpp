@@ -50,7 +50,7 @@ template <class V>
   make_smaller(squared, to_edge);
 }
 
-/// How far the point is on the outer side of an edge, if it is: the greatest so far.
+/// How far the point is on the outer side of an edge, or minus how far on the inner side: the greatest so far.
 template <class V>
 [[gnu::always_inline]] inline void add_outside(const LaneVec<V>& seen, const LaneVec<V>& edge, const LaneVec<V>& normal,
                                                V& outside) {
@@ -61,16 +61,27 @@ template <class V>
   make_larger(outside, side);
 }
 
-/// Writes at most the squared distance of each triangle, 0 for NaN. Returns the lanes where it is not above `most`.
+/// At least and at most the squared distance of each triangle: 0 and the largest number for NaN.
+template <class T>
+struct alignas(64) SquaredDistances {
+  Row<T> least;
+  Row<T> most;
+};
+
+/// Sets what is above, and returns the lanes where the least is not above `limit`.
 ///
-/// It is that of the nearest edge, if the point is outside of one by more than rounding, else that of the plane, which
-/// is never farther than the triangle. What is subtracted is above the rounding errors: of a point on an edge, a few
-/// epsilon of the way to it; of the normal, a few epsilon of the squared edges.
+/// If the point is outside of an edge by more than rounding, the nearest edge is as far as the triangle; else the plane
+/// is never farther. If it is inside of all edges by more than rounding, the plane is as far; else the nearest edge is
+/// never nearer. What is subtracted and added is above the rounding errors: of a point on an edge, a few epsilon of the
+/// way to it; of the normal, a few epsilon of the squared edges; and of squares that vanish.
 template <class T>
 // NOLINTNEXTLINE(readability-function-size): one kernel
-LaneMask squared_distances(const TriangleBlock<3, T>& triangles, const LanePoint<T>& from, T most, Row<T>& squared) {
+LaneMask find_squared_distances(const TriangleBlock<3, T>& triangles, const LanePoint<T>& from, T limit,
+                                SquaredDistances<T>& squared) {
+  constexpr T largest = std::numeric_limits<T>::max();
   if (!from.is_moderate) {
-    squared = {};
+    squared.least = {};
+    squared.most.fill(largest);
     return first_lanes(row_length);
   }
   return lanes_set_by<T>([&](auto& group) __attribute__((always_inline)) {
@@ -93,11 +104,11 @@ LaneMask squared_distances(const TriangleBlock<3, T>& triangles, const LanePoint
     subtract(a, from.point, a);
     subtract(b, from.point, b);
     subtract(c, from.point, c);
-    Numbers to_edges = Numbers{} + std::numeric_limits<T>::max();
+    Numbers to_edges = Numbers{} + largest;
     add_edge(a, to_b, to_edges);
     add_edge(b, to_c, to_edges);
     add_edge(c, back, to_edges);
-    Numbers outside = {};
+    Numbers outside = Numbers{} - largest;
     add_outside(a, to_b, normal, outside);
     add_outside(b, to_c, normal, outside);
     add_outside(c, back, normal, outside);
@@ -118,22 +129,30 @@ LaneMask squared_distances(const TriangleBlock<3, T>& triangles, const LanePoint
     Numbers whole;
     dot_of(normal, normal, whole);
     make_positive<Group>(height);
-    height -= reach * of_normal;
-    make_larger(height, Numbers{});
     // No less than the least normal numbers, so that no quotient of others leaves the range.
     const Numbers least = Numbers{} + std::numeric_limits<T>::min() * T(0x1p26);
-    whole += of_normal * (2 * length + of_normal);
-    make_larger(whole, least);
-    const Numbers to_plane = height / whole * height;
+    const Numbers of_height = reach * of_normal;
+    const Numbers of_whole = of_normal * (2 * length + of_normal);
+    Numbers low = height - of_height;
+    make_larger(low, Numbers{});
+    Numbers high_whole = whole + of_whole;
+    make_larger(high_whole, least);
+    const Numbers high = height + of_height;
+    Numbers low_whole = whole - of_whole;
+    make_larger(low_whole, least);
 
     const Numbers unclear = (first + second) * reach * (of_normal + few * length) + least;
-    Numbers result = outside > unclear ? to_edges : to_plane;
-    result -= 2 * reach * (few * reach + from.error);
-    make_smaller(result, Numbers{} + std::numeric_limits<T>::max());
-    Numbers positive = {};
-    make_larger(positive, result);
-    group.write(positive, squared);
-    group.flags = ~(positive > most);
+    const Numbers margin = 2 * reach * (few * reach + from.error);
+    const Numbers at_least = (outside > unclear ? to_edges : low / high_whole * low) - margin;
+    const Numbers at_most = (-outside > unclear ? high / low_whole * high : to_edges) + margin + least;
+    Numbers low_result = {};
+    make_larger(low_result, at_least);
+    make_smaller(low_result, Numbers{} + largest);
+    Numbers high_result = Numbers{} + largest;
+    make_smaller(high_result, at_most);
+    group.write(low_result, squared.least);
+    group.write(high_result, squared.most);
+    group.flags = ~(low_result > limit);
   });
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -63,18 +64,72 @@ class MayBeNearInside {
     return squared_distances(block, Aabb<N, T>{may_be_near_.point, may_be_near_.point}, most(), keys);
   }
   LaneMask lanes(const TriangleBlock<N, T>& triangles, Row<T>& keys) const requires(N == 3) {
-    return squared_distances(triangles, lane_point_, most(), keys);
+    SquaredDistances<T> squared;
+    return lanes(triangles, keys, squared);
+  }
+
+ protected:
+  /// Also writes squared distances of the faces.
+  LaneMask lanes(const TriangleBlock<N, T>& triangles, Row<T>& keys, SquaredDistances<T>& squared) const
+      requires(N == 3) {
+    const LaneMask result = find_squared_distances(triangles, lane_point_, most(), squared);
+    keys = squared.least;
+    return result;
   }
 #endif
 
- private:
-  T most() const { return most_squared<T>(may_be_near_.distance + forgiven_); }
+  /// The squared distance that still matters.
+  T most() const {
+    if (may_be_near_.distance != distance_) {
+      distance_ = may_be_near_.distance;
+      most_ = most_squared<T>(distance_ + forgiven_);
+    }
+    return most_;
+  }
 
+ private:
 #ifdef GRAZE_HAS_LANES
   LanePoint<T> lane_point_;  // in 3D
 #endif
   const MayBeNear<N, T>& may_be_near_;
   double forgiven_;
+  mutable double distance_ = -1;  // to which most_ belongs
+  mutable T most_ = 0;
+};
+
+template <Dim N, class T>
+class MayBeNearestFaceInside;
+
+/// For `visit_faces`: what may be the nearest of all. Faces that were tested bring down the distance.
+template <Dim N, class T>
+struct MayBeNearestFace {
+  bool operator()(const Aabb<N, T>& box) const { return near(box); }
+  MayBeNearestFaceInside<N, T> inside(const Aabb<N, T>& box, double error) const {
+    return MayBeNearestFaceInside<N, T>(near, box, error);
+  }
+
+  MayBeNear<N, T>& near;
+};
+
+template <Dim N, class T>
+class MayBeNearestFaceInside : public MayBeNearInside<N, T> {
+ public:
+  MayBeNearestFaceInside(MayBeNear<N, T>& near, const Aabb<N, T>& box, double error)
+      : MayBeNearInside<N, T>(near, box, error), near_(near) {}
+
+#ifdef GRAZE_HAS_LANES
+  using MayBeNearInside<N, T>::lanes;
+  LaneMask lanes(const TriangleBlock<N, T>& triangles, Row<T>& keys) const requires(N == 3) {
+    SquaredDistances<T> squared;
+    const LaneMask result = MayBeNearInside<N, T>::lanes(triangles, keys, squared);
+    const T most = least_of(squared.most);
+    if (most < this->most()) near_.distance = std::min(near_.distance, std::sqrt(static_cast<double>(most)));
+    return result;
+  }
+#endif
+
+ private:
+  MayBeNear<N, T>& near_;
 };
 
 }  // namespace graze::detail

@@ -190,26 +190,25 @@ struct AtPlace {
   const MayMatter& may_matter;
 };
 
-/// The same for the faces of a mesh, which always has a tree.
+/// BoxTree::visit for the faces of a mesh that its tree holds.
+template <Dim N, class T, class MayMatter, class Order, class Visit>
+void visit_faces(const PlacedMesh<N, T>& faces, const MayMatter& may_matter, const Order& order, const Visit& visit) {
+  const auto& tree = faces.data()->tree();
+  with_form_inside(may_matter, faces.at_place(tree.around()), faces.error_of_lanes(), [&](const auto& form) {
+    if (!faces.is_moved()) return tree.visit(form, order, visit);
+    tree.visit(AtPlace<N, T, std::decay_t<decltype(form)>>{faces, form}, order, visit);
+  });
+}
+
+/// The same as for a compound for the faces of a mesh, which always has a tree.
 template <Dim N, class T, class MayMatter, class Order, class Visit>
 void visit_parts(const Mesh<N, T>& mesh, const MayMatter& may_matter, const Order& order, const Visit& visit) {
   const PlacedMesh<N, T>& faces = placed(mesh);
-  const auto visit_face = [&](std::uint32_t face, std::size_t place) {
-    return visit(FacePart<N, T>{faces.triangle_in_tree(place)}, std::size_t{face});
-  };
-  const auto& tree = faces.data()->tree();
-  for (const std::uint32_t face : tree.unbounded()) {
+  for (const std::uint32_t face : faces.data()->tree().unbounded()) {
     if (!visit(FacePart<N, T>{faces.triangle(face)}, std::size_t{face})) return;
   }
-  with_form_inside(may_matter, faces.at_place(tree.around()), faces.error_of_lanes(), [&](const auto& form) {
-    if (!faces.is_moved()) return tree.visit(form, order, visit_face);
-    const AtPlace<N, T, std::decay_t<decltype(form)>> form_there{faces, form};
-    if constexpr (std::is_same_v<Order, InAnyOrder> || std::is_same_v<Order, ByKey>) {
-      tree.visit(form_there, order, visit_face);
-    } else {
-      tree.visit(
-          form_there, [&](const Aabb<N, T>& box) { return order(faces.at_place(box)); }, visit_face);
-    }
+  visit_faces(faces, may_matter, order, [&](std::uint32_t face, std::size_t place) {
+    return visit(FacePart<N, T>{faces.triangle_in_tree(place)}, std::size_t{face});
   });
 }
 

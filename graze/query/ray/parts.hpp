@@ -153,10 +153,7 @@ class RestOfPathInside {
   LaneMask lanes(const BoxBlock<N, T>& block, Row<T>& keys) const {
     return entered_lanes(block, lanes_, round_up<T>(rest_.t_max_), keys);
   }
-  LaneMask lanes(const TriangleBlock<N, T>& triangles, Row<T>& keys) const requires(N == 3) {
-    keys = {};
-    return met_lanes(triangles, line_);
-  }
+  LaneMask lanes(const TriangleBlock<N, T>& triangles) const requires(N == 3) { return met_lanes(triangles, line_); }
 #endif
 
   bool operator()(const Aabb<N, T>& box) const { return admits(key(box)); }

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include <graze/math/lanes/sixteen.hpp>
@@ -17,7 +16,7 @@
 #include <graze/math/vec.hpp>
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/parts/box_block.hpp>
-#include <graze/shape/parts/may_matter.hpp>
+#include <graze/shape/parts/box_visit.hpp>
 #include <graze/shape/parts/pieces.hpp>
 #include <graze/shape/parts/spatial_order.hpp>
 
@@ -71,22 +70,14 @@ class BoxTree {
   /// The parts that are not in the tree, in order.
   std::span<const std::uint32_t> unbounded() const { return unbounded_; }
 
-  /// Calls visit(index of a part, its place) until it returns false: for each part in the tree whose box, and every box
-  /// around it, may_matter(box) accepts; perhaps for a few more, see TestsLanes. Of the boxes in a node, those with the
-  /// least order(box) come first, or InAnyOrder or ByKey. `may_matter` may accept less from call to call.
+  /// Calls visit(index of a part, its place), or visit(index, place, key) if it takes the key of FindsKeysOfContents,
+  /// until it returns false: for each part in the tree whose box, and every box around it, may_matter(box) accepts;
+  /// perhaps for a few more, see TestsLanes. The order is InAnyOrder or ByKey, the box with the least key in a node
+  /// first. `may_matter` may accept less from call to call.
   template <class MayMatter, class Order, class Visit>
-  void visit(const MayMatter& may_matter, const Order& order, const Visit& visit) const {
+  void visit(const MayMatter& may_matter, Order /*order*/, const Visit& visit) const {
     if (parts_.empty() || !may_matter(around_)) return;
-    Waiting waiting;
-    Place place = root();
-    for (;;) {
-      if (place.level == 0) {
-        if (!visit(parts_[place.index], std::size_t{place.index})) return;
-      } else if (enter(place, may_matter, order, waiting)) {
-        continue;
-      }
-      if (!take(place, may_matter, order, waiting)) return;
-    }
+    BoxVisit<BoxTree, MayMatter, Order>(*this, may_matter).run(root(), visit);
   }
 
   /// Calls visit(part of this tree, part of the other) until it returns false: for each pair whose boxes, and every two
@@ -126,16 +117,9 @@ class BoxTree {
 
  private:
   static constexpr std::uint32_t width = row_length;
-  static constexpr std::size_t most_levels = 9;                               // of 2^32 boxes
-  static constexpr std::size_t most_waiting = most_levels * (width - 1) + 1;  // each step takes one and adds sixteen
-
-  /// Of level 0, a part; else a node, whose children are the boxes of one block.
-  struct Place {
-    std::uint32_t index;  ///< Within its level.
-    std::uint32_t level;
-
-    bool operator==(const Place&) const = default;
-  };
+  using Place = PlaceInTree;
+  template <class Tree, class MayMatter, class Order>
+  friend class BoxVisit;
 
   Place root() const { return {0, static_cast<std::uint32_t>(height_)}; }
 
@@ -302,98 +286,6 @@ class BoxTree {
 
   static Place child_of(const Place& node, std::uint32_t lane) { return {node.index * width + lane, node.level - 1}; }
 
-  /// The places that are still to be visited, the next one last, and their keys.
-  struct Waiting {
-    std::array<Place, most_waiting> places;
-    std::array<T, most_waiting> keys;
-    std::size_t count = 0;
-  };
-
-  /// The children that may matter, and their keys.
-  template <class MayMatter, class Order>
-  [[gnu::always_inline]] LaneMask lanes_that_matter(const Place& node, const MayMatter& may_matter, const Order& order,
-                                                    Row<T>& keys) const {
-    using Contents = std::decay_t<decltype(leaves_.contents(0))>;
-    if constexpr (std::is_same_v<Order, ByKey> && FindsKeysOfContents<MayMatter, Contents, T>) {
-      if (node.level == 1) return may_matter.lanes(leaves_.contents(node.index), keys);
-    }
-    if constexpr (std::is_same_v<Order, InAnyOrder> && TestsContents<MayMatter, Contents>) {
-      if (node.level == 1) return may_matter.lanes(leaves_.contents(node.index));
-    }
-    BoxBlock<N, T> buffer;
-    const BoxBlock<N, T>& block = block_of(node, buffer);
-    if constexpr (std::is_same_v<Order, ByKey> && FindsKeysOfLanes<MayMatter, N, T>) {
-      return may_matter.lanes(block, keys);
-    } else if constexpr (std::is_same_v<Order, InAnyOrder> && TestsLanes<MayMatter, N, T>) {
-      return may_matter.lanes(block);
-    } else {
-      return lanes_one_by_one(block, count_of_children(node), may_matter, order, keys);
-    }
-  }
-
-  /// A key in T that is not greater.
-  static T lower_key(double key) {
-    constexpr double most = std::numeric_limits<T>::max();
-    return round_down<T>(key > most ? most : key);
-  }
-
-  template <class MayMatter, class Order>
-  static LaneMask lanes_one_by_one(const BoxBlock<N, T>& block, std::size_t count, const MayMatter& may_matter,
-                                   const Order& order, Row<T>& keys) {
-    LaneMask lanes = 0;
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      const Aabb<N, T> box = block.box(lane);
-      bool matters = true;
-      if constexpr (std::is_same_v<Order, ByKey>) {
-        keys[lane] = lower_key(may_matter.key(box));
-        matters = may_matter.admits(may_matter.key(box));
-      } else {
-        matters = may_matter(box);
-        if constexpr (!std::is_same_v<Order, InAnyOrder>) keys[lane] = lower_key(order(box));
-      }
-      lanes |= (matters ? LaneMask{1} : LaneMask{0}) << lane;
-    }
-    return lanes;
-  }
-
-  /// Goes from a node to the first of its children that may matter; the others wait. False if there is none.
-  template <class MayMatter, class Order>
-  bool enter(Place& place, const MayMatter& may_matter, const Order& order, Waiting& waiting) const {
-    const Place node = place;
-    alignas(64) Row<T> keys;
-    LaneMask lanes = first_lanes(count_of_children(node)) & lanes_that_matter(node, may_matter, order, keys);
-    if (lanes == 0) return false;
-    auto first = static_cast<std::uint32_t>(std::countr_zero(lanes));
-    lanes &= lanes - 1;
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-      std::uint32_t later = lane;
-      if constexpr (!std::is_same_v<Order, InAnyOrder>) {
-        const bool is_nearer = keys[lane] < keys[first];
-        later = is_nearer ? first : lane;
-        first = is_nearer ? lane : first;
-        waiting.keys[waiting.count] = keys[later];
-      }
-      waiting.places[waiting.count++] = child_of(node, later);
-    }
-    place = child_of(node, first);
-    return true;
-  }
-
-  template <class MayMatter, class Order>
-  bool take(Place& place, const MayMatter& may_matter, const Order& /*order*/, Waiting& waiting) const {
-    while (waiting.count > 0) {
-      place = waiting.places[--waiting.count];
-      if constexpr (std::is_same_v<Order, ByKey>) {
-        if (!may_matter.admits(static_cast<double>(waiting.keys[waiting.count]))) continue;
-      } else if constexpr (!std::is_same_v<Order, InAnyOrder>) {
-        if (!may_matter(box_at(place))) continue;
-      }
-      return true;
-    }
-    return false;
-  }
-
   template <class Executor, class... Inputs>
   void set_leaves(const Executor& executor, const Inputs&... inputs) {
     leaves_.set(executor, std::span<const std::uint32_t>(parts_), inputs...);
@@ -432,9 +324,9 @@ class BoxTree {
   std::vector<std::uint32_t> parts_;      ///< In the order of level 0.
   std::vector<std::uint32_t> unbounded_;  ///< Parts without a finite box.
   std::vector<BoxBlock<N, T>> blocks_;    ///< Those of level 1, then level 2, and so on.
-  std::array<std::size_t, most_levels> first_block_of_level_{};
-  std::array<std::size_t, most_levels> size_of_level_{};  ///< The number of its boxes.
-  std::size_t height_ = 0;                                ///< The number of levels of boxes.
+  std::array<std::size_t, most_levels_of_tree> first_block_of_level_{};
+  std::array<std::size_t, most_levels_of_tree> size_of_level_{};  ///< The number of its boxes.
+  std::size_t height_ = 0;                                        ///< The number of levels of boxes.
   double size_when_built_ = 0;
 };
 
