@@ -21,7 +21,7 @@ using Pose = graze::Pose<3, float>;
 
 struct Counts {
   std::size_t rays = 100'000;
-  std::size_t points = 10'000;
+  std::size_t points = 100'000;
   std::size_t shapes = 4'000;  ///< Of each kind.
   std::size_t places = 20;     ///< Of a second mesh.
 };

@@ -354,7 +354,7 @@ bool is_on_face(const Mesh<N, T>& mesh, const Vec<N, T>& point, double distance)
 /// A point on a face is contained even if it is outside by a rounding error.
 template <Dim N, class T>
 bool is_held(const Mesh<N, T>& mesh, const Vec<N, T>& point) {
-  return is_on_face(mesh, point) || is_inside(mesh, point);
+  return is_inside(mesh, point) || is_on_face(mesh, point);
 }
 
 /// Whether the query accepts the shape. A user's type without `defect` counts as valid.

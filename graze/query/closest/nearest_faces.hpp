@@ -23,6 +23,9 @@
 #include <graze/shape/mesh.hpp>
 #include <graze/shape/mesh/placed_mesh.hpp>
 #include <graze/shape/parts/box_block.hpp>
+#include <graze/shape/parts/may_matter.hpp>
+#include <graze/shape/parts/reach_lanes.hpp>
+#include <graze/shape/parts/triangle_block.hpp>
 #include <graze/shape/triangle.hpp>
 
 namespace graze::detail {
@@ -32,8 +35,8 @@ namespace graze::detail {
 template <Dim N, class T>
 class MayBeNearestPair {
  public:
-  /// For faces with at most this largest coordinate.
-  explicit MayBeNearestPair(double largest_coordinate) : margin_(tolerance::box_slack * largest_coordinate) {
+  MayBeNearestPair(const PlacedMesh<N, T>& a, const PlacedMesh<N, T>& b)
+      : a_(a), b_(b), margin_(tolerance::box_slack * std::max(largest_of(a.box()), largest_of(b.box()))) {
     directions_.fill(Vec<N, double>(0.0));
   }
 
@@ -45,8 +48,14 @@ class MayBeNearestPair {
     const double size = max_abs(way);
     if (!(pair.distance > 0 && size > 0 && is_finite(way))) return;
     way /= size;
-    directions_[next_] = way / std::sqrt(dot(way, way));
+    way /= std::sqrt(dot(way, way));
+    directions_[next_] = way;
     next_ = (next_ + 1) % directions_.size();
+#ifdef GRAZE_HAS_LANES
+    along_a_ = a_.along(way);
+    along_b_ = b_.along(-way);
+    has_direction_ = true;
+#endif
   }
 
   bool admits(T squared) const { return !(squared > most()); }
@@ -54,6 +63,20 @@ class MayBeNearestPair {
   LaneMask lanes(const BoxBlock<N, T>& block, const Aabb<N, T>& box, Row<T>& squared) const {
     return squared_distances(block, box, most(), squared);
   }
+
+#ifdef GRAZE_HAS_LANES
+  /// Of sixteen faces of each mesh, those that are near enough to one of the others along the last direction.
+  PairOfLanes lanes(const TriangleBlock<N, T>& block_a, const TriangleBlock<N, T>& block_b) const {
+    if (!has_direction_) return {};
+    const T most = round_up<T>(best_.nearest().distance + margin_);
+    constexpr T lowest = std::numeric_limits<T>::lowest();
+    alignas(64) Row<T> keys;
+    lanes_beyond(block_b, along_b_, lowest, keys);
+    const LaneMask lanes_a = lanes_beyond(block_a, along_a_, least_of(keys) - most, keys);
+    if (lanes_a == 0) return {0, 0};
+    return {lanes_a, lanes_beyond(block_b, along_b_, least_of(keys) - most, keys)};
+  }
+#endif
 
   /// Whether faces are farther apart along one of the directions.
   bool is_too_wide(const Triangle<N, T>& a, const Triangle<N, T>& b) const {
@@ -66,16 +89,27 @@ class MayBeNearestPair {
  private:
   T most() const { return most_squared<T>(best_.nearest().distance); }
 
+  static double largest_of(const Aabb<N, T>& box) {
+    return is_nothing(box) ? 0.0 : static_cast<double>(std::max(max_abs(box.min), max_abs(box.max)));
+  }
+
   /// How far a face reaches along a direction.
   static double reach(const Triangle<N, T>& face, const Vec<N, double>& direction) {
     return std::max(
         {dot(direction, wide<N, T>(face.a)), dot(direction, wide<N, T>(face.b)), dot(direction, wide<N, T>(face.c))});
   }
 
+  const PlacedMesh<N, T>& a_;
+  const PlacedMesh<N, T>& b_;
   NearestPart<N> best_;
   std::array<Vec<N, double>, 4> directions_;  // zero: none yet
   std::size_t next_ = 0;
   double margin_;
+#ifdef GRAZE_HAS_LANES
+  LaneDirection<N, T> along_a_;  // the last direction, and its opposite
+  LaneDirection<N, T> along_b_;
+  bool has_direction_ = false;
+#endif
 };
 
 /// A pair of faces that are near to each other: looked for from one mesh to the other and back, from the nearest faces
@@ -113,10 +147,7 @@ NearestPart<N> nearest_faces(const Mesh<N, T>& a, const Mesh<N, T>& b, const Pai
   const PlacedMesh<N, T>& faces_b = placed(b);
   const auto& tree_a = faces_a.data()->tree();
   const auto& tree_b = faces_b.data()->tree();
-  const auto largest_of = [](const Aabb<N, T>& box) {
-    return is_nothing(box) ? 0.0 : static_cast<double>(std::max(max_abs(box.min), max_abs(box.max)));
-  };
-  MayBeNearestPair<N, T> near(std::max(largest_of(faces_a.box()), largest_of(faces_b.box())));
+  MayBeNearestPair<N, T> near(faces_a, faces_b);
   const auto index_of = [&b](std::size_t face_a, std::size_t face_b) {
     return std::uint64_t{face_a} * b.faces().size() + face_b;
   };

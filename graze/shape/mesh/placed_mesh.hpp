@@ -151,14 +151,13 @@ class MeshData {
 template <Dim N, class T>
 class PlacedMesh {
  public:
-  explicit PlacedMesh(std::shared_ptr<const MeshData<N, T>> data) : data_(std::move(data)), box_(data_->box()) {}
+  explicit PlacedMesh(std::shared_ptr<const MeshData<N, T>> data) : data_(std::move(data)), box_(data_->box()) {
+    set_lane_place();
+  }
 
   PlacedMesh(std::shared_ptr<const MeshData<N, T>> data, const Pose<N, T>& pose)
       : data_(std::move(data)), pose_(pose), is_moved_(true), largest_(max_abs(wide<N, T>(pose.position))) {
-#ifdef GRAZE_HAS_LANES
-    // NOLINTNEXTLINE(cppcoreguidelines-prefer-member-initializer): not in every build
-    lane_place_ = lane_place<N, T>(pose.rotation, pose.position, data_->tree().around());
-#endif
+    set_lane_place();
     for (Dim i = 0; i < N; ++i) {
       box_.min[i] = -extreme(i, -1);
       box_.max[i] = extreme(i, 1);
@@ -226,6 +225,17 @@ class PlacedMesh {
     place_triangles(block, lane_place_, placed);
     return placed;
   }
+
+  /// How far faces reach along a direction at this place, or a little more.
+  LaneDirection<N, T> along(const Vec<N, double>& direction) const {
+    Vec<N, double> own = direction;
+    double offset = sum_abs(direction) * static_cast<double>(lane_place_.slack);
+    if (is_moved_) {
+      for (Dim j = 0; j < N; ++j) own[j] = dot(direction, wide<N, T>(pose_.rotation[j]));
+      offset += dot(direction, wide<N, T>(pose_.position));
+    }
+    return lane_direction(Vec<N, T>(own), round_up<T>(offset));
+  }
 #endif
   double error_of_lanes() const {
 #ifdef GRAZE_HAS_LANES
@@ -235,6 +245,12 @@ class PlacedMesh {
   }
 
  private:
+  void set_lane_place() {
+#ifdef GRAZE_HAS_LANES
+    lane_place_ = lane_place<N, T>(pose_.rotation, pose_.position, data_->tree().around());
+#endif
+  }
+
   Vec<N, T> moved(const Vec<N, T>& vertex) const { return is_moved_ ? transformed<N, T>(vertex, pose_) : vertex; }
   Triangle<N, T> moved(const Triangle<N, T>& face) const {
     return is_moved_ ? Triangle<N, T>{moved(face.a), moved(face.b), moved(face.c)} : face;
@@ -264,10 +280,7 @@ class PlacedMesh {
 
   MayReach may_reach(Dim axis, T sign, const T& best) const {
 #ifdef GRAZE_HAS_LANES
-    Vec<N, T> direction;
-    for (Dim j = 0; j < N; ++j) direction[j] = sign * pose_.rotation[j][axis];
-    const T offset = sign * pose_.position[axis] + lane_place_.slack;
-    return {lane_direction(direction, offset), *this, axis, sign, best};
+    return {along(static_cast<double>(sign) * unit_axis<N>(axis)), *this, axis, sign, best};
 #else
     return {*this, axis, sign, best};
 #endif

@@ -17,6 +17,7 @@
 #include <graze/shape/aabb.hpp>
 #include <graze/shape/parts/box_block.hpp>
 #include <graze/shape/parts/box_visit.hpp>
+#include <graze/shape/parts/may_matter.hpp>
 #include <graze/shape/parts/pieces.hpp>
 #include <graze/shape/parts/spatial_order.hpp>
 
@@ -93,7 +94,7 @@ class BoxTree {
   /// Calls visit(place of a part in this tree, place in the other) for each pair in the trees whose boxes, and every
   /// two boxes around them, may be near: may_be_near.lanes(block, box, squared) tells which boxes of a block, and
   /// writes squared distances, up to which may_be_near.admits(squared) is asked again. Of boxes, the near ones come
-  /// first.
+  /// first. may_be_near.lanes(contents, contents), if there is such, tells which parts of two blocks may be near.
   template <class PlaceBoxes, class PlaceOthers, class MayBeNear, class Visit>
   void visit_nearest_pairs(const BoxTree& other, const PlaceBoxes& place, const PlaceOthers& place_others,
                            const MayBeNear& may_be_near, const Visit& visit) const {
@@ -234,19 +235,29 @@ class BoxTree {
     const BoxBlock<N, T>& boxes;
   };
 
-  /// Calls visit(lane) for the children that may be near a box, in the order of their distances; before each, asks
-  /// again whether it may.
+  /// Of the parts in two nodes of level 1, those that may be near to one of the others.
+  template <class MayBeNear>
+  PairOfLanes lanes_near(const Place& node, const BoxTree& other, const Place& other_node,
+                         const MayBeNear& may_be_near) const {
+    if constexpr (requires { may_be_near.lanes(leaves_.contents(0), leaves_.contents(0)); }) {
+      return may_be_near.lanes(leaves_.contents(node.index), other.leaves_.contents(other_node.index));
+    } else {
+      return {};
+    }
+  }
+
+  /// Calls visit(lane) for those of some children that may be near a box, in the order of their distances; before each,
+  /// asks again whether it may.
   template <class PlaceBoxes, class MayBeNear, class Visit>
-  static void visit_near_children(const PlacedChildren<PlaceBoxes>& children, const Aabb<N, T>& box,
+  static void visit_near_children(const PlacedChildren<PlaceBoxes>& children, LaneMask of_these, const Aabb<N, T>& box,
                                   const MayBeNear& may_be_near, const Visit& visit) {
     alignas(64) Row<T> squared;
     std::array<std::uint32_t, width> order;
     std::ptrdiff_t count = 0;
-    for_each_lane(may_be_near.lanes(children.boxes, box, squared) & first_lanes(children.count),
-                  [&](std::uint32_t lane) {
-                    order[static_cast<std::size_t>(count++)] = lane;
-                    return true;
-                  });
+    for_each_lane(may_be_near.lanes(children.boxes, box, squared) & of_these, [&](std::uint32_t lane) {
+      order[static_cast<std::size_t>(count++)] = lane;
+      return true;
+    });
     std::sort(order.begin(), order.begin() + count,
               [&squared](std::uint32_t a, std::uint32_t b) { return squared[a] < squared[b]; });
     for (std::ptrdiff_t i = 0; i < count; ++i) {
@@ -261,24 +272,30 @@ class BoxTree {
                                  const PlaceBoxes& place, const PlaceOthers& place_others, const MayBeNear& may_be_near,
                                  const Visit& visit) const {
     if (node.level == 1 && other_node.level == 1) {
+      const PairOfLanes parts = lanes_near(node, other, other_node, may_be_near);
+      if (parts.first == 0) return;
       const PlacedChildren<PlaceBoxes> children(*this, node, place);
       const PlacedChildren<PlaceOthers> others(other, other_node, place_others);
-      visit_near_children(others, place(box_at(node)), may_be_near, [&](std::uint32_t other_lane) {
-        Row<T> squared;
-        const LaneMask near = may_be_near.lanes(children.boxes, others.boxes.box(other_lane), squared);
-        for_each_lane(near & first_lanes(children.count), [&](std::uint32_t lane) {
-          visit(std::size_t{child_of(node, lane).index}, std::size_t{child_of(other_node, other_lane).index});
-          return true;
-        });
-      });
+      visit_near_children(
+          others, parts.second & first_lanes(others.count), place(box_at(node)), may_be_near,
+          [&](std::uint32_t other_lane) {
+            Row<T> squared;
+            const LaneMask near = may_be_near.lanes(children.boxes, others.boxes.box(other_lane), squared);
+            for_each_lane(near & parts.first & first_lanes(children.count), [&](std::uint32_t lane) {
+              visit(std::size_t{child_of(node, lane).index}, std::size_t{child_of(other_node, other_lane).index});
+              return true;
+            });
+          });
     } else if (node.level >= other_node.level) {
       const PlacedChildren<PlaceBoxes> children(*this, node, place);
-      visit_near_children(children, place_others(other.box_at(other_node)), may_be_near, [&](std::uint32_t lane) {
-        visit_nearest_pairs_below(child_of(node, lane), other, other_node, place, place_others, may_be_near, visit);
-      });
+      visit_near_children(children, first_lanes(children.count), place_others(other.box_at(other_node)), may_be_near,
+                          [&](std::uint32_t lane) {
+                            visit_nearest_pairs_below(child_of(node, lane), other, other_node, place, place_others,
+                                                      may_be_near, visit);
+                          });
     } else {
       const PlacedChildren<PlaceOthers> others(other, other_node, place_others);
-      visit_near_children(others, place(box_at(node)), may_be_near, [&](std::uint32_t lane) {
+      visit_near_children(others, first_lanes(others.count), place(box_at(node)), may_be_near, [&](std::uint32_t lane) {
         visit_nearest_pairs_below(node, other, child_of(other_node, lane), place, place_others, may_be_near, visit);
       });
     }

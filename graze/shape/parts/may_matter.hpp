@@ -40,4 +40,10 @@ concept FindsKeysOfContents = requires(const MayMatter& may_matter, const Conten
   may_matter.lanes(contents, keys);
 };
 
+/// Lanes of two blocks.
+struct PairOfLanes {
+  LaneMask first = first_lanes(row_length);
+  LaneMask second = first_lanes(row_length);
+};
+
 }  // namespace graze::detail

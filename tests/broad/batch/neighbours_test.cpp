@@ -45,50 +45,53 @@ class IndicesAlongCurve : public ::testing::Test {
     std::sort(indices.begin(), indices.end());
     EXPECT_EQ(indices, all);
   }
-};
-TYPED_TEST_SUITE(IndicesAlongCurve, Spaces);
 
-TYPED_TEST(IndicesAlongCurve, ContainEachPointOnce) {
-  using T = typename TestFixture::T;
-  using Point = typename TestFixture::Point;
-  rc::Random random(1);
-  for (const std::size_t count : {0U, 1U, 2U, 3U, 100U, 4097U}) {
-    TestFixture::expect_each_once(TestFixture::draw_points(count, random));
+  static void expect_each_of_any_points_once() {
+    rc::Random random(1);
+    for (const std::size_t count : {0U, 1U, 2U, 3U, 100U, 4097U}) expect_each_once(draw_points(count, random));
+    Points points = draw_points(100, random);
+    points[3] = Point(std::numeric_limits<T>::quiet_NaN());
+    points[5] = Point(std::numeric_limits<T>::infinity());
+    points[7] = -points[5];
+    points[11] = Point(std::numeric_limits<T>::max());
+    points[13] = -points[11];
+    expect_each_once(points);
   }
-  typename TestFixture::Points points = TestFixture::draw_points(100, random);
-  points[3] = Point(std::numeric_limits<T>::quiet_NaN());
-  points[5] = Point(std::numeric_limits<T>::infinity());
-  points[7] = -points[5];
-  points[11] = Point(std::numeric_limits<T>::max());
-  points[13] = -points[11];
-  TestFixture::expect_each_once(points);
-}
 
-TYPED_TEST(IndicesAlongCurve, AscendForPointsAtOnePlace) {
-  const std::vector<std::uint32_t> indices =
-      TestFixture::order_of(std::vector(50, typename TestFixture::Point(typename TestFixture::T(2))));
-  EXPECT_TRUE(std::is_sorted(indices.begin(), indices.end()));
-  EXPECT_EQ(indices.size(), 50U);
-}
+  static void expect_order_at_one_place() {
+    const std::vector<std::uint32_t> indices = order_of(Points(50, Point(T(2))));
+    EXPECT_TRUE(std::is_sorted(indices.begin(), indices.end()));
+    EXPECT_EQ(indices.size(), 50U);
+  }
 
-// The way through all points is many times shorter than in the order in which they were drawn.
-TYPED_TEST(IndicesAlongCurve, LeadToNeighbours) {
-  constexpr Dim N = TestFixture::N;
-  rc::Random random(2);
-  const auto points = TestFixture::draw_points(4000, random);
-  const auto length_of_way = [&points](const auto& index_at) {
+  /// The length of the way through all points.
+  template <class IndexAt>
+  static double length_of_way(const Points& points, const IndexAt& index_at) {
     double sum = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const Vec<N, double> step(points[index_at(i)] - points[index_at(i - 1)]);
       sum += std::sqrt(dot(step, step));
     }
     return sum;
-  };
-  const std::vector<std::uint32_t> indices = TestFixture::order_of(points);
-  const double sorted = length_of_way([&indices](std::size_t i) { return indices[i]; });
-  const double drawn = length_of_way([](std::size_t i) { return i; });
-  EXPECT_LT(sorted, (N == 2 ? 0.05 : 0.15) * drawn);
-}
+  }
+
+  static void expect_short_way() {
+    rc::Random random(2);
+    const Points points = draw_points(4000, random);
+    const std::vector<std::uint32_t> indices = order_of(points);
+    const double sorted = length_of_way(points, [&indices](std::size_t i) { return indices[i]; });
+    const double drawn = length_of_way(points, [](std::size_t i) { return i; });
+    EXPECT_LT(sorted, (N == 2 ? 0.05 : 0.15) * drawn);
+  }
+};
+TYPED_TEST_SUITE(IndicesAlongCurve, Spaces);
+
+TYPED_TEST(IndicesAlongCurve, ContainEachPointOnce) { TestFixture::expect_each_of_any_points_once(); }
+
+TYPED_TEST(IndicesAlongCurve, AscendForPointsAtOnePlace) { TestFixture::expect_order_at_one_place(); }
+
+// Many times shorter than in the order in which the points were drawn.
+TYPED_TEST(IndicesAlongCurve, AreAShortWay) { TestFixture::expect_short_way(); }
 
 }  // namespace
 }  // namespace graze::test::neighbours_test
