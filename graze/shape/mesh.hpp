@@ -180,8 +180,7 @@ Mesh<N, T> transformed(const Mesh<N, T>& mesh, const Pose<N, T>& pose) {
   bool is_ok = is_finite(both.position);
   for (Dim j = 0; j < N; ++j) is_ok = is_ok && is_finite(both.rotation[j]);
   auto placed = std::make_shared<const detail::PlacedMesh<N, T>>(before.data(), both);
-  const Aabb<N, T>& box = placed->box();
-  if (!is_ok || (!mesh.faces().empty() && !(is_finite(box.min) && is_finite(box.max)))) {
+  if (!is_ok || !placed->is_finite()) {
     GRAZE_THROW(std::invalid_argument("transformed: a vertex has a coordinate that is not finite"));
   }
   return Mesh<N, T>(std::move(placed));

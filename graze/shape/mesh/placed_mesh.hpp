@@ -151,24 +151,37 @@ class MeshData {
 template <Dim N, class T>
 class PlacedMesh {
  public:
-  explicit PlacedMesh(std::shared_ptr<const MeshData<N, T>> data) : data_(std::move(data)), box_(data_->box()) {
-    set_lane_place();
-  }
+  explicit PlacedMesh(std::shared_ptr<const MeshData<N, T>> data) : data_(std::move(data)) { set_lane_place(); }
 
   PlacedMesh(std::shared_ptr<const MeshData<N, T>> data, const Pose<N, T>& pose)
       : data_(std::move(data)), pose_(pose), is_moved_(true), largest_(max_abs(wide<N, T>(pose.position))) {
     set_lane_place();
-    for (Dim i = 0; i < N; ++i) {
-      box_.min[i] = -extreme(i, -1);
-      box_.max[i] = extreme(i, 1);
-    }
   }
 
   const std::shared_ptr<const MeshData<N, T>>& data() const { return data_; }
   const Pose<N, T>& pose() const { return pose_; }
   bool is_moved() const { return is_moved_; }
-  /// The least box around all faces.
-  const Aabb<N, T>& box() const { return box_; }
+  /// The least box around all faces; at another place calculated by the first call.
+  const Aabb<N, T>& box() const {
+    if (!is_moved_) return data_->box();
+    std::call_once(box_once_, [this] {
+      for (Dim i = 0; i < N; ++i) {
+        box_.min[i] = -extreme(i, -1);
+        box_.max[i] = extreme(i, 1);
+      }
+    });
+    return box_;
+  }
+
+  /// Whether all coordinates of faces are finite at this place.
+  bool is_finite() const {
+    const auto& tree = data_->tree();
+    const auto is_finite_box = [](const Aabb<N, T>& box) {
+      return graze::is_finite(box.min) && graze::is_finite(box.max);
+    };
+    if (tree.unbounded().empty() && is_finite_box(at_place(tree.around()))) return true;
+    return data_->faces().empty() || is_finite_box(box());
+  }
 
   Vec<N, T> vertex(std::size_t index) const { return moved(data_->vertices()[index]); }
 
@@ -307,7 +320,8 @@ class PlacedMesh {
 #ifdef GRAZE_HAS_LANES
   LanePlace<N, T> lane_place_;
 #endif
-  Aabb<N, T> box_;
+  mutable std::once_flag box_once_;
+  mutable Aabb<N, T> box_;
   mutable std::once_flag vertices_once_;
   mutable std::vector<Vec<N, T>> vertices_;
 };
