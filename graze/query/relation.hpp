@@ -43,6 +43,7 @@
 #include <graze/query/bounds.hpp>
 #include <graze/query/compiled/instances.hpp>
 #include <graze/query/parts/inside.hpp>
+#include <graze/query/parts/may_touch_obb.hpp>
 #include <graze/query/parts/visit.hpp>
 #include <graze/query/relation/bounded.hpp>
 #include <graze/query/relation/convex.hpp>
@@ -102,7 +103,7 @@ Relation relation_of_parts(const Whole& whole, const S& shape) {
     closest = std::max(closest, decide(part.shape, shape));
     return closest != Relation::overlapping;
   };
-  visit_parts(whole, MayTouch<dimension_of<S>, scalar_of<S>>{touching_bounds(shape)}, visit);
+  visit_parts(whole, may_touch(shape), visit);
   if (closest == Relation::apart && point_inside(whole, shape)) return Relation::overlapping;
   return closest;
 }
