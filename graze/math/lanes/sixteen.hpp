@@ -30,6 +30,15 @@ T least_of(Row<T> row) {
   return row[0];
 }
 
+/// The greatest, likewise.
+template <class T>
+T greatest_of(Row<T> row) {
+  for (std::size_t half = row_length / 2; half > 0; half /= 2) {
+    for (std::size_t lane = 0; lane < half; ++lane) row[lane] = std::max(row[lane], row[lane + half]);
+  }
+  return row[0];
+}
+
 /// Bit i belongs to lane i.
 using LaneMask = std::uint32_t;
 

@@ -50,8 +50,9 @@ class FaceLeaves {
   template <class Executor>
   void set(const Executor& executor, std::span<const std::uint32_t> parts, const std::vector<Vec<N, T>>& vertices,
            const Faces& faces) {
-    blocks_.resize((parts.size() + row_length - 1) / row_length);
-    for_pieces(executor, blocks_.size() * row_length, [&](std::size_t first, std::size_t last) {
+    count_ = (parts.size() + row_length - 1) / row_length;
+    blocks_.reset(new TriangleBlock<N, T>[count_]);  // not initialised, unlike by std::make_unique
+    for_pieces(executor, count_ * row_length, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const auto& [a, b, c] = faces[parts[std::min(i, parts.size() - 1)]];
         blocks_[i / row_length].set(i % row_length, {vertices[a], vertices[b], vertices[c]});
@@ -67,8 +68,14 @@ class FaceLeaves {
   }
   const TriangleBlock<N, T>& contents(std::size_t index) const { return blocks_[index]; }
 
+  /// The least box around all triangles.
+  Aabb<N, T> box_around() const {
+    return box_around_corners(std::span<const TriangleBlock<N, T>>(blocks_.get(), count_)).around();
+  }
+
  private:
-  std::vector<TriangleBlock<N, T>> blocks_;
+  std::unique_ptr<TriangleBlock<N, T>[]> blocks_;  // NOLINT(modernize-avoid-c-arrays)
+  std::size_t count_ = 0;
 };
 
 /// The vertices and faces in their own coordinates, and a tree of the faces. Never changes.
@@ -89,9 +96,11 @@ class MeshData {
 
   /// The same faces with other vertices: the tree keeps its order unless its boxes have grown too much.
   MeshData(const MeshData& before, std::vector<Vec<N, T>> vertices)
-      : vertices_(std::move(vertices)), faces_(before.faces_), kind_(before.kind_), tree_(before.tree_) {
-    if (tree_.unbounded().empty()) tree_.fit(vertices_, *faces_);
-    if (!tree_.unbounded().empty() || tree_.is_outgrown() || !tree_.is_moderate()) tree_ = new_tree(OneByOne());
+      : vertices_(std::move(vertices)),
+        faces_(before.faces_),
+        kind_(before.kind_),
+        tree_(before.tree_.unbounded().empty() ? before.tree_.refitted(vertices_, *faces_) : new_tree(OneByOne())) {
+    if (tree_.is_outgrown() || !tree_.is_moderate()) tree_ = new_tree(OneByOne());
     set_box();
   }
 
@@ -131,7 +140,8 @@ class MeshData {
   }
 
   void set_box() {
-    for (std::size_t face = 0; face < faces().size(); ++face) {
+    box_ = tree_.leaves().box_around();
+    for (const std::uint32_t face : tree_.unbounded()) {
       for (const Vec<N, T>& corner : triangle(face).vertices()) box_.grow(corner);
     }
   }

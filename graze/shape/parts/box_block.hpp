@@ -58,16 +58,8 @@ struct alignas(64) BoxBlock {
   Aabb<N, T> around() const {
     Aabb<N, T> result;
     for (Dim i = 0; i < N; ++i) {
-      Row<T> least = min_row(i);
-      Row<T> greatest = max_row(i);
-      for (std::size_t half = row_length / 2; half > 0; half /= 2) {
-        for (std::size_t lane = 0; lane < half; ++lane) {
-          least[lane] = std::min(least[lane], least[lane + half]);
-          greatest[lane] = std::max(greatest[lane], greatest[lane + half]);
-        }
-      }
-      result.min[i] = least[0];
-      result.max[i] = greatest[0];
+      result.min[i] = least_of(min_row(i));
+      result.max[i] = greatest_of(max_row(i));
     }
     return result;
   }

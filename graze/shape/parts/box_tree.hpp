@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static tree over boxes of parts or faces: built once, and then only fitted to other boxes.
+// A static tree over boxes of parts or faces, which can be fitted to other boxes.
 #pragma once
 
 #include <algorithm>
@@ -45,10 +45,15 @@ class BoxTree {
     size_when_built_ = size_of_boxes();
   }
 
-  /// Gives the parts other boxes; see is_moderate. The order stays.
+  /// The tree of the same parts, in the same order, with other boxes; see is_moderate.
   template <class... Inputs>
-  void fit(const Inputs&... inputs) {
-    set_leaves(OneByOne(), inputs...);
+  BoxTree refitted(const Inputs&... inputs) const {
+    BoxTree result;
+    result.parts_ = parts_;
+    result.unbounded_ = unbounded_;
+    result.size_when_built_ = size_when_built_;
+    result.set_leaves(OneByOne(), inputs...);
+    return result;
   }
 
   /// Whether the boxes, relative to the whole, have grown so much since they were sorted that a new tree is faster.
@@ -117,6 +122,8 @@ class BoxTree {
   }
 
  private:
+  BoxTree() = default;
+
   static constexpr std::uint32_t width = row_length;
   using Place = PlaceInTree;
   template <class Tree, class MayMatter, class Order>

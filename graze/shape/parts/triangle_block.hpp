@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 
 #include <graze/math/lanes/sixteen.hpp>
 #include <graze/math/tolerance.hpp>
@@ -51,6 +52,40 @@ Aabb<N, T> grown_box_of(const Triangle<N, T>& triangle) {
   box.grow(triangle.c);
   grow_for_touching(box);
   return box;
+}
+
+/// A block whose boxes together are the least box around all corners.
+template <Dim N, class T>
+BoxBlock<N, T> box_around_corners(std::span<const TriangleBlock<N, T>> blocks) {
+  BoxBlock<N, T> boxes = BoxBlock<N, T>::nothing();
+#ifdef GRAZE_HAS_LANES
+  lanes_set_by<T>([&](auto& group) __attribute__((always_inline)) {
+    using Numbers = NumbersOf<decltype(group)>;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(N); ++k) {
+      Numbers low = Numbers{} + std::numeric_limits<T>::infinity();
+      Numbers high = -low;
+      for (const TriangleBlock<N, T>& block : blocks) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+          Numbers coordinate;
+          group.read(block.corners[corner][k], coordinate);
+          make_smaller(low, coordinate);
+          make_larger(high, coordinate);
+        }
+      }
+      group.write(low, boxes.min_row(static_cast<Dim>(k)));
+      group.write(high, boxes.max_row(static_cast<Dim>(k)));
+    }
+  });
+#else
+  for (const TriangleBlock<N, T>& block : blocks) {
+    for (std::size_t lane = 0; lane < row_length; ++lane) {
+      Aabb<N, T> box = boxes.box(lane);
+      for (const Vec<N, T>& corner : block.triangle(lane).vertices()) box.grow(corner);
+      boxes.set(lane, box);
+    }
+  }
+#endif
+  return boxes;
 }
 
 /// Boxes around triangles, at least as large as those of grown_box_of.

@@ -205,15 +205,14 @@ TYPED_TEST(BoxTreeIn, VisitsPairsOfUnboundedPartsAlone) {
 TYPED_TEST(BoxTreeIn, IsFittedToOtherBoxes) {
   std::mt19937 random(6);
   const auto boxes = TestFixture::draw_boxes(3000, random, 1000, true);
-  auto tree = TestFixture::tree_of(boxes);
-  EXPECT_FALSE(tree.is_outgrown());
+  const auto tree_of_boxes = TestFixture::tree_of(boxes);
+  EXPECT_FALSE(tree_of_boxes.is_outgrown());
   const auto place = TestFixture::moved_by(7);
   auto moved = boxes;
   for (auto& box : moved) box = place(box);
-  tree.fit(std::span<const typename TestFixture::Box>(moved));
-  EXPECT_FALSE(tree.is_outgrown());
+  EXPECT_FALSE(tree_of_boxes.refitted(std::span<const typename TestFixture::Box>(moved)).is_outgrown());
   const auto others = TestFixture::draw_boxes(3000, random, 1000, true);
-  tree.fit(std::span<const typename TestFixture::Box>(others));
+  const auto tree = tree_of_boxes.refitted(std::span<const typename TestFixture::Box>(others));
   EXPECT_TRUE(tree.is_outgrown());
   std::vector<std::uint32_t> found;
   const auto wanted = others[5];
