@@ -71,7 +71,7 @@ template <Dim N, class T>
 std::vector<double> winding_numbers(const Mesh<N, T>& mesh, std::type_identity_t<std::span<const Vec<N, T>>> points,
                                     const BatchOptions& options = {}) {
   return detail::answers_by_neighbours<double>(
-      points, options, [&mesh](const auto& piece, std::span<const std::uint32_t> indices, double* answers) {
+      points, options, [&mesh](const auto& piece, std::span<const std::uint32_t> indices, auto* answers) {
         constexpr std::size_t at_a_time = 64;
         const detail::WindingNumbers<N, T> numbers(mesh, piece, answers);
         for (; indices.size() > at_a_time; indices = indices.subspan(at_a_time)) numbers.find(indices.first(at_a_time));
