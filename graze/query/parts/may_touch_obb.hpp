@@ -44,7 +44,8 @@ LaneSides<N, T> lane_sides(const Obb<N, T>& obb, const Aabb<N, T>& grown, const 
   for (Dim k = 0; k < N; ++k) {
     const Vec<N, double> axis = wide<N, T>(obb.axes[k]);
     const double middle = dot(axis, wide<N, T>(obb.center));
-    double reach = sum_abs(axis) * (N * relative * size + error) + 4 * tolerance::orthonormal * sum_abs(halves);
+    double reach = sum_abs(axis) * (N * relative * size + error) + 4 * tolerance::orthonormal * sum_abs(halves) +
+                   16 * static_cast<double>(std::numeric_limits<T>::denorm_min());
     for (Dim i = 0; i < N; ++i) reach += std::fabs(dot(axis, wide<N, T>(obb.axes[i]))) * halves[i];
     result.low[k] = round_down<T>(middle - reach);
     result.high[k] = round_up<T>(middle + reach);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whatever touches an oriented box is between its sides, and little else is.
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -73,18 +74,21 @@ class BetweenSides : public ::testing::Test {
     std::size_t boxes_beyond = 0;
   };
 
-  static void check_block(rc::Random& random, Counts& counts) {
-    const Obb<N, T> obb = draw_obb(random);
+  /// With everything multiplied by a scale.
+  static void check_block(rc::Random& random, T scale, Counts& counts) {
+    const Obb<N, T> unscaled = draw_obb(random);
+    const Obb<N, T> obb{unscaled.center * scale, unscaled.half_extents * scale, unscaled.axes};
     detail::TriangleBlock<N, T> faces;
     detail::BoxBlock<N, T> boxes;
     LaneMask touching = 0;
     for (std::size_t lane = 0; lane < row_length; ++lane) {
-      const Triangle<N, T> triangle = draw_triangle(random, obb);
+      const Triangle<N, T> drawn = draw_triangle(random, unscaled);
+      const Triangle<N, T> triangle{drawn.a * scale, drawn.b * scale, drawn.c * scale};
       faces.set(lane, triangle);
       boxes.set(lane, touching_bounds(triangle));
       touching |= (intersects(triangle, obb) ? LaneMask{1} : LaneMask{0}) << lane;
     }
-    const auto inside = detail::may_touch(obb).inside(Aabb<N, T>{Point(-reach), Point(reach)}, 0);
+    const auto inside = detail::may_touch(obb).inside(Aabb<N, T>{Point(-reach * scale), Point(reach * scale)}, 0);
     const LaneMask found_faces = inside.lanes(faces);
     const LaneMask found_boxes = inside.lanes(boxes);
     EXPECT_EQ(touching & ~found_faces, 0U);
@@ -101,10 +105,21 @@ class BetweenSides : public ::testing::Test {
   static void expect_sides() {
     rc::Random random(5);
     Counts counts;
-    for (int round = 0; round < 500; ++round) check_block(random, counts);
+    for (int round = 0; round < 500; ++round) check_block(random, T(1), counts);
     EXPECT_GT(counts.touching, 1000U);
     EXPECT_GT(counts.faces_beyond, counts.apart * 8 / 10);
     EXPECT_GT(counts.boxes_beyond, counts.apart * 8 / 10);
+  }
+
+  static void expect_sides_at_any_size() {
+    rc::Random random(7);
+    Counts counts;
+    const T least = std::numeric_limits<T>::denorm_min();
+    const T most = std::numeric_limits<T>::max();
+    for (const T scale : {T(1e-20), T(100) * least, std::sqrt(least), T(1e20), std::sqrt(most), most / 256}) {
+      for (int round = 0; round < 200; ++round) check_block(random, scale, counts);
+    }
+    EXPECT_GT(counts.touching, 1000U);
   }
 
   static void expect_nothing_of_nan() {
@@ -119,6 +134,8 @@ class BetweenSides : public ::testing::Test {
 TYPED_TEST_SUITE(BetweenSides, Spaces);
 
 TYPED_TEST(BetweenSides, IsWhatTouches) { TestFixture::expect_sides(); }
+
+TYPED_TEST(BetweenSides, IsWhatTouchesAtAnySize) { TestFixture::expect_sides_at_any_size(); }
 
 TYPED_TEST(BetweenSides, IsWhatHasNaN) { TestFixture::expect_nothing_of_nan(); }
 
