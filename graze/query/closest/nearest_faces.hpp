@@ -54,7 +54,8 @@ class MayBeNearestPair {
 #ifdef GRAZE_HAS_LANES
     along_a_ = a_.along(way);
     along_b_ = b_.along(-way);
-    has_direction_ = true;
+    constexpr T most_offset = std::numeric_limits<T>::max() / 2;  // so that no reach overflows
+    has_direction_ = std::fabs(along_a_.offset) < most_offset && std::fabs(along_b_.offset) < most_offset;
 #endif
   }
 

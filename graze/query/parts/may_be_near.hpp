@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <graze/math/tolerance.hpp>
 #include <graze/math/vec.hpp>
@@ -123,7 +124,8 @@ class MayBeNearestFaceInside : public MayBeNearInside<N, T> {
     SquaredDistances<T> squared;
     const LaneMask result = MayBeNearInside<N, T>::lanes(triangles, keys, squared);
     const T most = least_of(squared.most);
-    if (most < this->most()) near_.distance = std::min(near_.distance, std::sqrt(static_cast<double>(most)));
+    if (most < std::min(this->most(), std::numeric_limits<T>::max()))
+      near_.distance = std::min(near_.distance, std::sqrt(static_cast<double>(most)));
     return result;
   }
 #endif

@@ -41,6 +41,13 @@ LaneSides<N, T> lane_sides(const Obb<N, T>& obb, const Aabb<N, T>& grown, const 
   const double size = static_cast<double>(std::max(size_of_box(grown), size_of_box(around)));
   const Vec<N, double> halves = wide<N, T>(obb.half_extents);
   LaneSides<N, T> result{obb.axes, {}, {}, grown};
+  const T largest =
+      std::max({max_abs(obb.center), max_abs(obb.half_extents), max_abs(around.min), max_abs(around.max)});
+  if (!(largest < std::numeric_limits<T>::max() / 16)) {  // sums may overflow: only the box decides
+    result.low = Vec<N, T>(-std::numeric_limits<T>::infinity());
+    result.high = Vec<N, T>(std::numeric_limits<T>::infinity());
+    return result;
+  }
   for (Dim k = 0; k < N; ++k) {
     const Vec<N, double> axis = wide<N, T>(obb.axes[k]);
     const double middle = dot(axis, wide<N, T>(obb.center));
