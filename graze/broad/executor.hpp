@@ -11,7 +11,8 @@
 
 namespace graze {
 
-/// Runs independent tasks. Results never depend on it, because work is split into the same tasks for every executor.
+/// Runs independent tasks. Results never depend on it: either work is split into the same tasks for every executor, or
+/// each result depends on its own input alone.
 class GRAZE_EXPORT Executor {
  public:
   virtual ~Executor() = default;

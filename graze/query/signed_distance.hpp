@@ -135,8 +135,8 @@ DecidingPart deciding_part(const Compound<N, T>& compound, const Vec<N, T>& poin
   return search.best();
 }
 
-/// The faces that may be the nearest to a point, and their keys. They are decided last, when the distance of the
-/// nearest is known up to the rounding errors of T.
+/// Looks for the face nearest to a point. Candidates are collected with their keys; their distances are calculated
+/// last, when that of the nearest is known up to the rounding errors of T, or earlier if there are many.
 template <Dim N, class T>
 class FaceSearch {
  public:

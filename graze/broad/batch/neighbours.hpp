@@ -47,7 +47,7 @@ std::vector<Answer> answers_by_neighbours(std::span<const Vec<N, T>> points, con
                                           const Ask& ask) {
   const Executor& executor = executor_of(options);
   const std::size_t pieces = executor.concurrency() > 1 ? 4 * executor.concurrency() : 1;
-  const std::size_t per_task = std::clamp<std::size_t>(points.size() / pieces, 4096, std::size_t{1} << 20U);
+  const std::size_t per_task = std::clamp<std::size_t>(points.size() / pieces, 512, std::size_t{1} << 20U);
   return written_by_tasks<Answer>(points.size(), per_task, executor,
                                   [&](std::size_t first, std::size_t last, Answer* out) {
                                     const auto piece = points.subspan(first, last - first);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a point is from sixteen triangles, at least.
+// How far a point is from sixteen triangles: at least and at most.
 #pragma once
 
 #include <cstddef>
@@ -61,14 +61,14 @@ template <class V>
   make_larger(outside, side);
 }
 
-/// At least and at most the squared distance of each triangle: 0 and the largest number for NaN.
+/// Bounds on the squared distance of each triangle; for NaN, 0 and the largest number.
 template <class T>
 struct alignas(64) SquaredDistances {
   Row<T> least;
   Row<T> most;
 };
 
-/// Sets what is above, and returns the lanes where the least is not above `limit`.
+/// Writes these bounds, and returns the lanes where the lower one is not above `limit`.
 ///
 /// If the point is outside of an edge by more than rounding, the nearest edge is as far as the triangle; else the plane
 /// is never farther. If it is inside of all edges by more than rounding, the plane is as far; else the nearest edge is

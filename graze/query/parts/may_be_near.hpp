@@ -101,10 +101,9 @@ class MayBeNearInside {
 template <Dim N, class T>
 class MayBeNearestFaceInside;
 
-/// For `visit_faces`: what may be the nearest of all. Faces that were tested bring down the distance.
+/// For `visit_faces`: what may be the nearest face. Faces that were tested bring down the distance.
 template <Dim N, class T>
 struct MayBeNearestFace {
-  bool operator()(const Aabb<N, T>& box) const { return near(box); }
   MayBeNearestFaceInside<N, T> inside(const Aabb<N, T>& box, double error) const {
     return MayBeNearestFaceInside<N, T>(near, box, error);
   }

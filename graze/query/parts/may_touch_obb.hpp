@@ -60,7 +60,7 @@ LaneSides<N, T> lane_sides(const Obb<N, T>& obb, const Aabb<N, T>& grown, const 
   return result;
 }
 
-/// The lanes whose boxes are not beyond a side. Those of NaN are not.
+/// The lanes whose boxes are not beyond a side; lanes with NaN are among them.
 template <Dim N, class T>
 LaneMask lanes_between(const BoxBlock<N, T>& block, const LaneSides<N, T>& sides) {
   return lanes_set_by<T>([&](auto& group) __attribute__((always_inline)) {

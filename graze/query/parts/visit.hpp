@@ -200,7 +200,7 @@ void visit_faces(const PlacedMesh<N, T>& faces, const MayMatter& may_matter, con
   });
 }
 
-/// The same as for a compound for the faces of a mesh, which always has a tree.
+/// visit_parts for the faces of a mesh, which always has a tree.
 template <Dim N, class T, class MayMatter, class Order, class Visit>
 void visit_parts(const Mesh<N, T>& mesh, const MayMatter& may_matter, const Order& order, const Visit& visit) {
   const PlacedMesh<N, T>& faces = placed(mesh);

@@ -99,7 +99,7 @@ class BoxTree {
   /// Calls visit(place of a part in this tree, place in the other) for each pair in the trees whose boxes, and every
   /// two boxes around them, may be near: may_be_near.lanes(block, box, squared) tells which boxes of a block, and
   /// writes squared distances, up to which may_be_near.admits(squared) is asked again. Of boxes, the near ones come
-  /// first. may_be_near.lanes(contents, contents), if there is such, tells which parts of two blocks may be near.
+  /// first. may_be_near.lanes(contents, contents), if it exists, tells which parts of two blocks may be near.
   template <class PlaceBoxes, class PlaceOthers, class MayBeNear, class Visit>
   void visit_nearest_pairs(const BoxTree& other, const PlaceBoxes& place, const PlaceOthers& place_others,
                            const MayBeNear& may_be_near, const Visit& visit) const {
